@@ -12,18 +12,8 @@ from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.coq.checker import CheckerError
 from mechproof.fpcore.s_expressions import FPCoreError
+from mechproof.pipeline import bounding
 from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq, round_digits
-from mechproof.pipeline.bounding import (
-    FPCORE,
-    PARTS,
-    TOLERANCE,
-    Bounding,
-    ProvedBound,
-    bound_all,
-    bounds_to_json,
-    read_boundings,
-    read_pasted,
-)
 from mechproof.pipeline.bounds_page import CITED, compare
 from mechproof.pipeline.pasted import PastedError
 from mechproof.pipeline.pasted_letters import Pasted
@@ -64,13 +54,13 @@ def bound(
     tolerance: Annotated[
         float,
         typer.Option("--tolerance", metavar="SHARE", help="To what share a bound is narrowed."),
-    ] = TOLERANCE,
+    ] = bounding.TOLERANCE,
     parts: Annotated[
         int,
         typer.Option(
             "--parts", metavar="N", min=1, help="The most parts that a box is divided in."
         ),
-    ] = PARTS,
+    ] = bounding.PARTS,
     table: Annotated[
         Path | None,
         typer.Option(
@@ -114,7 +104,7 @@ def bound(
             return
         bounds = []
         with show_progress("bounding rounding errors") as report:
-            for found in bound_all(boundings, convention, tolerance, parts, report):
+            for found in bounding.bound_all(boundings, convention, tolerance, parts, report):
                 bounds.append(found)
                 for line in _tell(found):
                     say(line)
@@ -126,13 +116,16 @@ def bound(
         fail(str(error))
     except OSError as error:
         fail(f"--coq {coq}: {error.strerror}")
-    options.write_json(json_file, bounds_to_json(bounds))
+    options.write_json(json_file, bounding.bounds_to_json(bounds))
     if any(found.open for found in bounds):
         raise typer.Exit(1)
 
 
 def _prove(
-    boundings: list[Bounding], bounds: list[ProvedBound], convention: Convention, folder: Path
+    boundings: list[bounding.Bounding],
+    bounds: list[bounding.ProvedBound],
+    convention: Convention,
+    folder: Path,
 ) -> None:
     with show_progress("running Coq") as report:
         proved = [found.proved for found in bounds]
@@ -144,8 +137,8 @@ def _prove(
         say(f"{one.name}: {told}")
 
 
-def _write_table(page: Path, sources: list[str], boundings: list[Bounding]) -> None:
-    if not sources[0].endswith(FPCORE) or page.suffix != ".md":
+def _write_table(page: Path, sources: list[str], boundings: list[bounding.Bounding]) -> None:
+    if not sources[0].endswith(bounding.FPCORE) or page.suffix != ".md":
         refuse(f"--table {page}: a page is called .md, and is of files of FPCore")
     with show_progress("comparing bounds") as report:
         text = compare(boundings, Path(sources[0]).parent / CITED, report)
@@ -156,21 +149,21 @@ def _write_table(page: Path, sources: list[str], boundings: list[Bounding]) -> N
     say(f"wrote {page}")
 
 
-def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[Bounding]:
-    files = [source for source in sources if source.endswith(FPCORE)]
+def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[bounding.Bounding]:
+    files = [source for source in sources if source.endswith(bounding.FPCORE)]
     if len(files) < len(sources):
         if len(sources) > 1:
             other = next(source for source in sources if source not in files)
             refuse(
                 f"{other}: no file of FPCore by its name; an expression is given alone, in quotes"
             )
-        return [read_pasted(pasted)]
+        return [bounding.read_pasted(pasted)]
     if is_said:
         refuse("what is said of the arguments of a file stands in its :pre")
-    return [one for file in files for one in read_boundings(Path(file))]
+    return [one for file in files for one in bounding.read_boundings(Path(file))]
 
 
-def _tell(found: ProvedBound) -> list[str]:
+def _tell(found: bounding.ProvedBound) -> list[str]:
     """Return the lines about a bound: what is proved is rounded up, what is found down."""
     kind = "relative error" if found.relative else "error"
     if found.open:

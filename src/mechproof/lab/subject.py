@@ -19,14 +19,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from mechproof import derivation
 from mechproof.codegen.form_rows import form_rows
-from mechproof.derivation import (
-    find_systems,
-    load_kernels,
-    load_paper,
-    load_part,
-    packaged_directory,
-)
 from mechproof.lab.c_kernels import find_gpu, find_in_c, find_on_gpu
 from mechproof.lab.sampling.named_sets import PointSet
 from mechproof.lab.sampling.stated_sizes import Facts
@@ -164,9 +158,9 @@ def find_subjects(
     `directory` holds the derivations, by default those of the package; their kernels lie in the
     folder `generated` beside it. Raises ValueError naming a name that fits none.
     """
-    source = directory or packaged_directory()
+    source = directory or derivation.packaged_directory()
     generated = None if directory is None else directory.resolve().parent / "generated"
-    places = find_systems(source)
+    places = derivation.find_systems(source)
     # A name that begins with a system spares loading the others.
     systems = {name.partition(".")[0] for name in names}
     needed = [p for s, p in places.items() if not names or s in systems or systems - places.keys()]
@@ -181,7 +175,7 @@ def find_subjects(
 
 @lru_cache(maxsize=16)
 def _subjects_at(place: Path, generated: Path | None) -> tuple[Subject, ...]:
-    return tuple(make_subjects(load_paper(place), place, generated))
+    return tuple(make_subjects(derivation.load_paper(place), place, generated))
 
 
 def _find_again(place: Path, generated: Path | None, name: str) -> Subject:
@@ -196,14 +190,16 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
     """
     # Stating the rows of all forms takes longer than a run of one kernel, which needs none.
     list_rows = cache(partial(form_rows, paper))
-    peers: Mapping[str, tuple[Peer, ...]] = getattr(load_part(place, "peers"), "PEERS", {})
-    points = load_part(place, "points")
+    peers: Mapping[str, tuple[Peer, ...]] = getattr(
+        derivation.load_part(place, "peers"), "PEERS", {}
+    )
+    points = derivation.load_part(place, "points")
     names = {quantity.name for quantity in paper.quantities}
     if surplus := sorted({*peers, *getattr(points, "POINTS", {})} - names):
         raise ValueError(f"peers and points of {paper.system}: no quantities {surplus}")
     modules = (
-        load_kernels(paper.system, generated),
-        load_kernels(f"forms.{paper.system}", generated),
+        derivation.load_kernels(paper.system, generated),
+        derivation.load_kernels(f"forms.{paper.system}", generated),
     )
     load_compiled = cache(partial(_load_compiled, paper.system, generated))
     for quantity in paper.quantities:
@@ -221,4 +217,4 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
 
 def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
     """Import compiled kernels where numba is installed."""
-    return load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None
+    return derivation.load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None

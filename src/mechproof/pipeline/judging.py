@@ -8,13 +8,7 @@ from pathlib import Path
 
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import JudgedPaper, Ledger
-from mechproof.pipeline.verification import (
-    LIMIT,
-    VerificationError,
-    find_ledgers,
-    judge_derivations,
-    list_failures,
-)
+from mechproof.pipeline import verification
 
 # Called with the title of a stage, whose context it is; yields what is told of its progress.
 Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
@@ -43,14 +37,14 @@ def judge_papers(
     locations: Sequence[Path],
     *,
     use_cache: bool = True,
-    limit: float = LIMIT,
+    limit: float = verification.LIMIT,
     only_kernels: bool = False,
     progress: Progress = tell_nobody,
 ) -> list[JudgedPaper]:
     """Judge the papers, or `only_kernels`, on which what is shipped rests."""
     title = name_judging(locations, "the kernels of " if only_kernels else "")
-    with name_faults(DerivationError, VerificationError), progress(title) as report:
-        return judge_derivations(
+    with name_faults(DerivationError, verification.VerificationError), progress(title) as report:
+        return verification.judge_derivations(
             locations, use_cache=use_cache, only_kernels=only_kernels, limit=limit, report=report
         )
 
@@ -59,13 +53,13 @@ def read_ledgers(
     locations: Sequence[Path],
     *,
     use_cache: bool = True,
-    limit: float = LIMIT,
+    limit: float = verification.LIMIT,
     progress: Progress = tell_nobody,
 ) -> list[Ledger]:
     """Judge the papers that have changed, and take the ledgers of the others as they are kept."""
     title = name_judging(locations)
-    with name_faults(DerivationError, VerificationError), progress(title) as report:
-        return find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
+    with name_faults(DerivationError, verification.VerificationError), progress(title) as report:
+        return verification.find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
 
 
 def name_judging(locations: Sequence[Path], what: str = "") -> str:
@@ -75,5 +69,5 @@ def name_judging(locations: Sequence[Path], what: str = "") -> str:
 
 def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
     """Name rows that could not be judged, kernels not proved, and what else failed."""
-    if failures := [*list_failures(ledgers), *others]:
+    if failures := [*verification.list_failures(ledgers), *others]:
         raise PipelineError("\n".join(failures))

@@ -19,40 +19,12 @@ from mechproof.nomenclature.counting_letters import find_counts
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said_relations import read_relations
 from mechproof.nomenclature.shown_letters import is_vector, name_symbol, show_letter
-from mechproof.pipeline.bold_letters import (
-    find_bold,
-    is_capital,
-    move_entries,
-    refuse_unclear,
-    show_entries,
-)
-from mechproof.pipeline.given_letters import (
-    find_all_rates,
-    find_decimals,
-    find_given_moving,
-    find_parameters,
-    give_values,
-    read_values,
-    refuse_units,
-    solve_equation,
-)
+from mechproof.pipeline import bold_letters, given_letters, special_letters
 from mechproof.pipeline.moving_letters import (
     find_functions,
     find_moving,
     list_differentials,
     list_rates,
-)
-from mechproof.pipeline.special_letters import (
-    EULER,
-    find_called,
-    find_declared,
-    find_gamma,
-    find_running,
-    give_unknown,
-    has_differential,
-    has_letter_d,
-    list_names,
-    means_euler,
 )
 from mechproof.record import (
     AnyFunction,
@@ -137,13 +109,15 @@ def read_letters(pasted: Pasted) -> Letters:
     symbols = {r"\pi": sp.pi} | {latex: v.symbol for v in variables for latex in v.latex}
     phases = ((symbols.get(one), symbols.get(other)) for one, other in find_phases(pasted.prints))
     given = {name_symbol(text.partition("=")[0]) for text in (*pasted.values, *pasted.where)}
-    called = find_called(variables, pasted.called)
+    called = special_letters.find_called(variables, pasted.called)
     others = [v for v in variables if v.symbol not in called]
-    moving = find_given_moving(others, functions, list_differentials(pasted.prints), given)
+    moving = given_letters.find_given_moving(
+        others, functions, list_differentials(pasted.prints), given
+    )
     notation = Notation(
         factors=(*pasted.factors, *counts),
         lower_limit=_read_limit(pasted),
-        moving=move_entries(moving.letters),
+        moving=bold_letters.move_entries(moving.letters),
         primed=moving.primed,
         phases=frozenset((one, other) for one, other in phases if one and other),
         called=called,
@@ -153,41 +127,43 @@ def read_letters(pasted: Pasted) -> Letters:
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
     values = [
-        *read_values(pasted.values, reader),
-        *(solve_equation(one, moving) for one in equations),
-        *give_unknown(variables, pasted.unknown, called),
+        *given_letters.read_values(pasted.values, reader),
+        *(given_letters.solve_equation(one, moving) for one in equations),
+        *special_letters.give_unknown(variables, pasted.unknown, called),
     ]
-    variables = give_values(variables, values)
-    refuse_units(pasted.values, list_signs(pasted.latex))
+    variables = given_letters.give_values(variables, values)
+    given_letters.refuse_units(pasted.values, list_signs(pasted.latex))
     tied = frozenset(s for equation in equations for s in equation.free_symbols)
-    rates = find_all_rates(variables, moving, called)
+    rates = given_letters.find_all_rates(variables, moving, called)
     variables = tuple(
         one
         for v in (*variables, *moving.rates)
-        for one in show_entries(replace(v, given=rates.get(v.symbol, v.given)))
+        for one in bold_letters.show_entries(replace(v, given=rates.get(v.symbol, v.given)))
     )
-    parameters = find_parameters(variables, list_differentials(pasted.prints))
+    parameters = given_letters.find_parameters(variables, list_differentials(pasted.prints))
     notation = replace(notation, parameters=parameters)
     left = [r for r in relations if r not in equations]
-    decimals = find_decimals(pasted.values, variables)
+    decimals = given_letters.find_decimals(pasted.values, variables)
     return Letters(variables, notation, left, tied, rates, _list_needed(variables), decimals)
 
 
 def _find_functions(pasted: Pasted) -> dict[str, type[sp.gamma]]:
-    return find_gamma(pasted.prints, (*pasted.names, *pasted.factors))
+    return special_letters.find_gamma(pasted.prints, (*pasted.names, *pasted.factors))
 
 
 def _take_special(pasted: Pasted) -> Pasted:
     """Return what is pasted with what its letters are taken for: Euler's number e, factors, ..."""
     prints = pasted.prints
     said = [text.partition("=")[0].strip() for text in pasted.values]
-    said += [*find_declared(pasted.where), *find_running(prints)]
+    said += [*special_letters.find_declared(pasted.where), *special_letters.find_running(prints)]
     named = [*pasted.names, *(letter for letter in UNSURE if letter in said)]
-    if "e" not in (*named, *pasted.natural) and means_euler(prints):
+    if "e" not in (*named, *pasted.natural) and special_letters.means_euler(prints):
         named.append("e")
-        factors, values = (*pasted.factors, "e"), (*pasted.values, EULER)
+        factors, values = (*pasted.factors, "e"), (*pasted.values, special_letters.EULER)
         pasted = replace(pasted, factors=factors, values=values)
-    if any(map(has_letter_d, prints)) and not any(map(has_differential, prints)):
+    if any(map(special_letters.has_letter_d, prints)) and not any(
+        map(special_letters.has_differential, prints)
+    ):
         named.append("d")
     named += find_increments(prints)
     factors = (*pasted.factors, *find_factors(prints))
@@ -212,13 +188,13 @@ def _declare(
     pasted: Pasted, counts: Collection[str], functions: Mapping[str, str]
 ) -> tuple[Variable, ...]:
     """Make a variable of each name that is said and of each letter that is met."""
-    bold = find_bold(pasted.prints, pasted.names)
+    bold = bold_letters.find_bold(pasted.prints, pasted.names)
     rates = [name for letter in functions for name in list_rates(letter, pasted.prints)]
     of = (*functions, *functions.values(), *rates)
-    of = (*of, *list_names(pasted.called, pasted.prints))
+    of = (*of, *special_letters.list_names(pasted.called, pasted.prints))
     said = dict.fromkeys((*pasted.names, *pasted.natural, *bold, *of))
     named = [_make(latex, pasted, counts) for latex in said]
-    called = find_called(named, pasted.called)
+    called = special_letters.find_called(named, pasted.called)
     moving = find_moving([v for v in named if v.symbol not in called], functions)
     notation = Notation(
         factors=(*pasted.factors, *counts),
@@ -233,7 +209,7 @@ def _declare(
     _refuse_others(letters, prints)
     valued = {text.partition("=")[0].strip() for text in pasted.values}
     _refuse_matrices([x for x in letters if x not in {*pasted.names, *valued}], prints)
-    refuse_unclear([*letters, *({"d"} & {*said})], bold)
+    bold_letters.refuse_unclear([*letters, *({"d"} & {*said})], bold)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))
@@ -278,7 +254,7 @@ def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
     if INDEX in latex:
         return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
     if is_vector(latex) and latex not in pasted.names:
-        shape = (3, 3) if pasted.has_matrices and is_capital(latex) else (3, 1)
+        shape = (3, 3) if pasted.has_matrices and bold_letters.is_capital(latex) else (3, 1)
         return Variable(sp.MatrixSymbol(name, *shape), latex, latex=(latex,))
     if latex in (*pasted.natural, *counts):
         symbol = sp.Symbol(name, integer=True, positive=True)

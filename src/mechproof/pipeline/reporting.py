@@ -10,19 +10,12 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from pathlib import Path
 
+from mechproof import report
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import Ledger
 from mechproof.pipeline.judging import Progress, name_faults, read_ledgers, tell_nobody
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.verification import LIMIT, VerificationError, list_failures, restore_papers
-from mechproof.report import (
-    build_site,
-    join_pages,
-    keep_shares,
-    key_shares,
-    load_shares,
-    write_folder,
-)
 from mechproof.tools.files import write_whole
 from mechproof.tools.made import ForeignFileError
 
@@ -42,17 +35,17 @@ def write_report(
     """
     ledgers = read_ledgers(locations, use_cache=use_cache, limit=limit, progress=progress)
     reads = [LedgerCache(place).read_sources() if use_cache else {} for place in locations]
-    keys = key_shares(locations, [ledger.system for ledger in ledgers], reads)
-    kept = load_shares(keys)
+    keys = report.key_shares(locations, [ledger.system for ledger in ledgers], reads)
+    kept = report.load_shares(keys)
     with name_faults(DerivationError, VerificationError, ForeignFileError, ValueError):
         shown = _load_others(locations, ledgers, kept, limit, progress)
         with progress("writing the pages") as tell:
-            site = build_site(locations, shown, tell, kept)
-        keep_shares(keys, site)
+            site = report.build_site(locations, shown, tell, kept)
+        report.keep_shares(keys, site)
         if single:
-            write_whole(target, join_pages(site.files))
+            write_whole(target, report.join_pages(site.files))
         else:
-            write_folder(target, site.files)
+            report.write_folder(target, site.files)
     return len(site.files), [*list_failures(ledgers), *site.failures]
 
 

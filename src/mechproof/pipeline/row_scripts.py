@@ -23,13 +23,7 @@ from mechproof.coq.folder import (
 )
 from mechproof.document.constraints.consequences import FOLLOWING
 from mechproof.ledger.judged import JudgedPaper
-from mechproof.pipeline.judging import (
-    Progress,
-    judge_papers,
-    name_faults,
-    refuse_failures,
-    tell_nobody,
-)
+from mechproof.pipeline import judging
 from mechproof.pipeline.opening import Opened, open_paper
 from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.verdict import Judgement, Verdict
@@ -70,7 +64,7 @@ def certify(
     one_in: int = 1,
     use_cache: bool = True,
     limit: float = LIMIT,
-    progress: Progress = tell_nobody,
+    progress: judging.Progress = judging.tell_nobody,
 ) -> Iterator[Certified]:
     """Write the scripts of papers into a folder; with `check` have Coq check one in so many.
 
@@ -78,10 +72,10 @@ def certify(
     `record` what it has as accepted is taken over, and it is kept. Yields what is written before it
     is checked, too. Raises `PipelineError`.
     """
-    ledgers = judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
-    refuse_failures(ledgers)
+    ledgers = judging.judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
+    judging.refuse_failures(ledgers)
     known, refused = read_known(generated), read_refused(generated)
-    with name_faults(CheckerError, ForeignFileError, OSError, ValueError):
+    with judging.name_faults(CheckerError, ForeignFileError, OSError, ValueError):
         with progress("writing scripts") as tell:
             scripts = write_row_scripts(dict(zip(locations, ledgers, strict=True)), tell)
         left = [

@@ -17,14 +17,7 @@ from mechproof.latex.latex_signs import find_close
 from mechproof.latex.left_scripts import ACCENTS, begins_letter
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.shown_letters import name_symbol
-from mechproof.pipeline.moving_letters import (
-    OTHERWISE,
-    find_end,
-    is_constant,
-    list_differentials,
-    list_rates,
-    name_base,
-)
+from mechproof.pipeline import moving_letters
 from mechproof.record import AnyFunction, Variable
 
 EULER = r"e=\mathrm{e}"
@@ -65,7 +58,7 @@ def find_declared(conditions: Iterable[str]) -> list[str]:
 def find_running(prints: Sequence[str]) -> set[str]:
     r"""Return the letters that must be variables: \int e\,de, \frac{d}{de}, \lim_{e\to0}."""
     approached = {letter for latex in prints for letter in _APPROACHED.findall(latex)}
-    return approached | list_differentials(prints)
+    return approached | moving_letters.list_differentials(prints)
 
 
 def means_euler(prints: Sequence[str]) -> bool:
@@ -177,12 +170,12 @@ def find_unknown(prints: Sequence[str]) -> dict[str, str]:
     """
     split = list(map(list_signs, prints))
     going = {"".join(t[n + 3 : n + 4]) for t in split for n, x in enumerate(t) if x == r"\lim"}
-    by = sorted((list_differentials(prints) | going) - {"'"})
-    running = [letter for letter in by if letter not in OTHERWISE]
+    by = sorted((moving_letters.list_differentials(prints) | going) - {"'"})
+    running = [letter for letter in by if letter not in moving_letters.OTHERWISE]
     found: dict[str, list[str]] = {}
     for texts in split:
         for place in (n for n, x in enumerate(texts) if x in _UNKNOWN and x not in by):
-            end = find_end(texts, place)
+            end = moving_letters.find_end(texts, place)
             found.setdefault(texts[place], []).append("".join(texts[place + 1 : end + 1]))
     marks = [mark for met in found.values() for mark in met]
     is_bare = not all(mark.endswith("(") for mark in marks)
@@ -195,7 +188,9 @@ def find_unknown(prints: Sequence[str]) -> dict[str, str]:
 
 def list_names(called: Mapping[str, str], prints: Sequence[str]) -> list[str]:
     """List letters that are functions, with their primes, and the letters that they are of."""
-    names = [name for letter in called for name in (letter, *list_rates(letter, prints))]
+    names = [
+        name for letter in called for name in (letter, *moving_letters.list_rates(letter, prints))
+    ]
     return [name for name in dict.fromkeys((*names, *called.values())) if name]
 
 
@@ -204,7 +199,7 @@ def find_called(
 ) -> dict[sp.Basic, sp.Symbol]:
     """Return the symbols of functions and their derivatives, with what they are functions of."""
     symbols = {latex: v.symbol for v in variables for latex in v.latex}
-    bases = {latex: name_base(latex) for latex in symbols}
+    bases = {latex: moving_letters.name_base(latex) for latex in symbols}
     return {symbols[x]: symbols.get(called[y], _HIDDEN) for x, y in bases.items() if y in called}
 
 
@@ -217,7 +212,7 @@ def give_unknown(
     known = {*called, *called.values()}
     others = [v for v in variables if v.symbol not in known]
     for name, latex in ((name_symbol(v.latex[0]), v.latex[0]) for v in others):
-        if not is_constant(name, ()) and name not in _RUNNING:
+        if not moving_letters.is_constant(name, ()) and name not in _RUNNING:
             raise ValueError(f"{latex} may be a function as {min(unknown)} is: call it c if not")
     symbols = {v.latex[0]: v.symbol for v in variables if v.latex}
     return [

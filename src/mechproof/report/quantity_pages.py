@@ -8,13 +8,7 @@ from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
-from mechproof.codegen.docstrings import (
-    TESTED,
-    describe_domain,
-    list_notes,
-    tell_accuracy,
-    tell_unit,
-)
+from mechproof.codegen import docstrings
 from mechproof.codegen.form_rows import number_form
 from mechproof.lab.chart_points import find_time, find_usual_set, list_workloads
 from mechproof.lab.sampling.point_sets import SWEEP
@@ -128,11 +122,11 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             name=quantity.name,
             summary=quantity.summary,
             source=quantity.source,
-            unit=tell_unit(quantity.unit),
+            unit=docstrings.tell_unit(quantity.unit),
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
             formula=write_definition(quantity, paper),
             given=tuple(write_given(quantity, paper)),
-            domain=set_prose(re.sub(r"\boo\b", "∞", describe_domain(quantity, paper))),
+            domain=set_prose(re.sub(r"\boo\b", "∞", docstrings.describe_domain(quantity, paper))),
             notes=tuple(_pick_notes(kernel, paper)),
             stated=_tell_stated(quantity),
             turned=tell_turned(quantity, paper),
@@ -177,9 +171,9 @@ def _describe_arguments(
 
 def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:
     """Yield what is said beside domain, accuracy and source, which stand for themselves."""
-    for note in list_notes(kernel, paper) if kernel else ():
+    for note in docstrings.list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
-        if lead not in ("Domain", TESTED, "Source"):
+        if lead not in ("Domain", docstrings.TESTED, "Source"):
             named = colon and len(lead.split()) == 1
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
@@ -187,7 +181,7 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
 def _tell_stated(quantity: Quantity) -> Markup:
     if quantity.accuracy is None:
         return Markup()
-    return set_prose(tell_accuracy(quantity.accuracy, input_names(quantity)))
+    return set_prose(docstrings.tell_accuracy(quantity.accuracy, input_names(quantity)))
 
 
 def _describe_record(record: Record, quantity: Quantity) -> Measured:
@@ -200,7 +194,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
         worst="none" if worst is None else f"{worst:.3g}",
         usual=set_prose(_tell_usual(record, quantity)),
         unit=record.error_unit,
-        absolute="" if quantity.unit == "1" else tell_unit(quantity.unit),
+        absolute="" if quantity.unit == "1" else docstrings.tell_unit(quantity.unit),
         points=f"{sum(row.points - row.undecided for row in rows):,}",
         searched=set_prose(searched),
         swept=set_prose(_tell_swept(record, quantity)),
