@@ -4,19 +4,8 @@ from sympy import Abs, Expr, Ge, Gt, Integral, Ne, Rational, atan, cos, diff, pi
 
 from mechproof.record import *
 
+from .. import _readings
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
-from .._readings import (
-    RESOLUTION,
-    Readings,
-    adequacy_row,
-    beyond_encoders,
-    encoder_row,
-    if_u_is_s,
-    interval_of_errors,
-    millimetre,
-    table_row,
-    two_encoders,
-)
 from .mechanics import *
 from .rows import ROOT, of_variant, print_8
 
@@ -36,10 +25,10 @@ TYPE_A_ROWS = (
 
 # Table 3: n, mean error and u in degrees; and the half-width of the printed interval.
 READINGS = {
-    1: Readings(198, Rational("-0.93"), Rational("0.82"), Rational("0.01")),
-    2: Readings(194, Rational("-0.98"), Rational("1.36"), Rational("0.01")),
-    3: Readings(192, Rational("0.68"), Rational("0.28"), Rational("0.01")),
-    4: Readings(171, Rational("-0.89"), Rational("1.01"), Rational("0.01")),
+    1: _readings.Readings(198, Rational("-0.93"), Rational("0.82"), Rational("0.01")),
+    2: _readings.Readings(194, Rational("-0.98"), Rational("1.36"), Rational("0.01")),
+    3: _readings.Readings(192, Rational("0.68"), Rational("0.28"), Rational("0.01")),
+    4: _readings.Readings(171, Rational("-0.89"), Rational("1.01"), Rational("0.01")),
 }
 HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
 INTERVAL_NOTES = {
@@ -50,7 +39,7 @@ INTERVAL_NOTES = {
 
 
 GAINS = {number: of_variant(largest, number) for number in VARIANTS}
-LIMITS = {number: two_encoders(gain) for number, gain in GAINS.items()}
+LIMITS = {number: _readings.two_encoders(gain) for number, gain in GAINS.items()}
 
 
 def interval_row(number: int, note: str) -> Claim:
@@ -84,15 +73,15 @@ TABLE_CLAIMS = (
         PRINT.datum(
             f"Table 1, variant {number}",
             all_of(
-                Definition(R1, large * millimetre),
-                Definition(R2, small * millimetre),
+                Definition(R1, large * _readings.millimetre),
+                Definition(R2, small * _readings.millimetre),
                 Definition(e, eccentricity),
             ),
         )
         for number, (large, small, eccentricity) in VARIANTS.items()
     ),
-    PRINT.datum("Table 2, resolution", PrintedNumber("0.088", RESOLUTION)),
-    encoder_row(PRINT, "Table 2"),
+    PRINT.datum("Table 2, resolution", PrintedNumber("0.088", _readings.RESOLUTION)),
+    _readings.encoder_row(PRINT, "Table 2"),
     PRINT.claim(
         "different non-uniformity",
         all_of(
@@ -114,10 +103,10 @@ TABLE_CLAIMS = (
         note="The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
         "four variants have the same.",
     ),
-    table_row("Table 3", "(13)-(16)", READINGS, ("S52", "S53")),
-    interval_of_errors(PRINT, READINGS),
+    _readings.table_row("Table 3", "(13)-(16)", READINGS, ("S52", "S53")),
+    _readings.interval_of_errors(PRINT, READINGS),
     *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
-    adequacy_row(PRINT),
+    _readings.adequacy_row(PRINT),
     PRINT.claim(
         "inaccurate manufacture",
         all_of(
@@ -176,7 +165,7 @@ CONSEQUENCES = (
                 (line.implied_scatter for line in READINGS.values()),
             ),
             *rounded(("10.1", "14.7", "7.3", "10.3"), LIMITS.values()),
-            beyond_encoders(READINGS, {number: LIMITS[number] for number in (1, 2, 4)}),
+            _readings.beyond_encoders(READINGS, {number: LIMITS[number] for number in (1, 2, 4)}),
             less(READINGS[3].implied_scatter, LIMITS[3]),
         ),
         note="If u belongs to the mean, as (15) and (16) have it, single errors scatter by u "
@@ -186,7 +175,7 @@ CONSEQUENCES = (
         "uncertainty of the mean.",
         marks=("inferred", "consequence"),
     ),
-    if_u_is_s(
+    _readings.if_u_is_s(
         "Table 3",
         READINGS,
         halves=("0.117", "0.195", "0.040", "0.154"),

@@ -5,28 +5,8 @@ import sympy as sp
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
 from .._eccentric import jerk_terms
+from . import forms
 from .charts import MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, OF_JERK
-from .forms import (
-    CHANGE,
-    DOUBLE,
-    EPS_X,
-    LOW_WORD,
-    NO_UNDERFLOW,
-    NO_UNDERFLOW_OF_LEAD,
-    OF_T,
-    OF_X,
-    SPREAD_FORM,
-    STEPS,
-    TILT,
-    WHEEL_3,
-    WHEEL_3_FORM,
-    S,
-    T,
-    W,
-    Z,
-    by_map,
-    by_parts,
-)
 from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
 from .mechanics import *
 
@@ -39,25 +19,38 @@ BEND = (
     -shift * (shift + 2 * lesser) * (1 - t**2),
     -4 * rise * (lesser + shift) * t,
 )
-FORM = 2 * WHEEL_3_FORM * (sum(BEND) - 4 * sum(TILT) ** 2 / SPREAD_FORM) / SPREAD_FORM
+FORM = (
+    2
+    * forms.WHEEL_3_FORM
+    * (sum(BEND) - 4 * sum(forms.TILT) ** 2 / forms.SPREAD_FORM)
+    / forms.SPREAD_FORM
+)
 
 
 # Accuracy. Both are differences, of whose terms they have the accuracy: some 30 operations, with
 # what the terms of y, changed against each other, and eps*x make of them, as for the acceleration.
 TERMS = Scale(
     "the larger of the terms, and what the roundings of y make of them",
-    W
-    / S
+    forms.W
+    / forms.S
     * (
         2
         * (
-            (swing * (lesser + both) + rise**2 + shift * (shift + 2 * lesser)) * (1 + T**2)
-            + 4 * sp.Abs(rise * T) * (lesser + shift)
+            (swing * (lesser + both) + rise**2 + shift * (shift + 2 * lesser)) * (1 + forms.T**2)
+            + 4 * sp.Abs(rise * forms.T) * (lesser + shift)
         )
-        + 8 * Z**2 / S
-        + 16 * sp.Abs(Z * CHANGE) * (sp.Abs(rise - shift * T) + sp.Abs(lesser + y)) / S
+        + 8 * forms.Z**2 / forms.S
+        + 16
+        * sp.Abs(forms.Z * forms.CHANGE)
+        * (sp.Abs(rise - shift * forms.T) + sp.Abs(lesser + y))
+        / forms.S
     ),
-    (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
+    (
+        *forms.STEPS,
+        forms.WHEEL_3,
+        (swing, GIVEN[swing]),
+        (forms.Z, sum(forms.TILT).xreplace(forms.OF_T)),
+    ),
 )
 # k**3, times a tiny e2, and divided by what is tiny where e2 is next to 1.
 CUBE_OF_SPEED = (R4 >= R5 / 10**30, R4 <= 10**80 * R5)
@@ -66,8 +59,8 @@ NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
 SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
 TERMS_CYLINDRICAL = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    jerk_terms(8 * e2 * k**3 * (1 - e2**2), e2, x, EPS_X),
-    OF_X,
+    jerk_terms(8 * e2 * k**3 * (1 - e2**2), e2, x, forms.EPS_X),
+    forms.OF_X,
 )
 
 JERK_QUANTITIES = (
@@ -81,19 +74,19 @@ JERK_QUANTITIES = (
                 "quotient in tan(phi1)",
                 FORM,
                 ("low_product",),
-                states=by_parts(JERK),
+                states=forms.by_parts(JERK),
                 charts=MOUNTED_ROUNDER,
                 mirrors=MOUNTED_NEGATED,
             ),
             Form(
                 "double angles",
-                sp.diff(ratio_of_map(*DOUBLE), phi1, 2),
+                sp.diff(ratio_of_map(*forms.DOUBLE), phi1, 2),
                 key="direct",
-                states=by_map(JERK),
+                states=forms.by_map(JERK),
             ),
         ),
         f"{SOURCE}, second derivative of (10)",
-        accuracy=Accuracy(30, TERMS, NO_UNDERFLOW),
+        accuracy=Accuracy(30, TERMS, forms.NO_UNDERFLOW),
         singular=SINGULAR_OVALS,
         periodicity=Periodicity(sp.pi),
     ),
@@ -121,7 +114,7 @@ JERK_QUANTITIES = (
         accuracy=Accuracy(
             24,
             TERMS_CYLINDRICAL,
-            (*LOW_WORD, *CUBE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, NO_UNDERFLOW_OF_CUBES),
+            (*forms.LOW_WORD, *CUBE_OF_SPEED, *forms.NO_UNDERFLOW_OF_LEAD, NO_UNDERFLOW_OF_CUBES),
         ),
         singular=SINGULAR_CYLINDERS,
         periodicity=Periodicity(sp.pi / k),

@@ -4,26 +4,18 @@ import sympy as sp
 
 from mechproof.record import *
 
+from .. import _readings
 from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
-from .._readings import (
-    Readings,
-    adequacy_row,
-    encoder_row,
-    if_u_is_s,
-    interval_of_errors,
-    table_row,
-    two_encoders,
-)
 from .mechanics import *
 from .pairs import edge, fastest
 from .variants import DWELL_3, VARIANTS, ratio_1, with_cylinders
 
 # Table 2: n, mean error and u in degrees; and the half-widths of the printed intervals.
 READINGS = {
-    1: Readings(175, sp.Rational("0.777"), sp.Rational("0.18"), sp.Rational("0.001")),
-    2: Readings(190, sp.Rational("0.035"), sp.Rational("0.04"), sp.Rational("0.001")),
-    3: Readings(214, sp.Rational("1.280"), sp.Rational("0.11"), sp.Rational("0.001")),
-    4: Readings(193, sp.Rational("-0.540"), sp.Rational("0.15"), sp.Rational("0.001")),
+    1: _readings.Readings(175, sp.Rational("0.777"), sp.Rational("0.18"), sp.Rational("0.001")),
+    2: _readings.Readings(190, sp.Rational("0.035"), sp.Rational("0.04"), sp.Rational("0.001")),
+    3: _readings.Readings(214, sp.Rational("1.280"), sp.Rational("0.11"), sp.Rational("0.001")),
+    4: _readings.Readings(193, sp.Rational("-0.540"), sp.Rational("0.15"), sp.Rational("0.001")),
 }
 HALF_WIDTHS = {1: "0.360", 2: "0.080", 3: "0.220", 4: "0.300"}
 
@@ -32,7 +24,7 @@ RATIOS = {1: ratio_1} | {variant: with_cylinders(ratio_45, variant) for variant 
 GAINS = {1: -ratio_1.subs(phi1, 0)} | {
     variant: with_cylinders(fastest - 1, variant) for variant in (2, 3, 4)
 }
-LIMITS = {variant: two_encoders(gain) for variant, gain in GAINS.items()}
+LIMITS = {variant: _readings.two_encoders(gain) for variant, gain in GAINS.items()}
 
 
 def interval_row(variant: int) -> Claim:
@@ -67,11 +59,11 @@ MEASUREMENT_ROWS = (
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),
     ),
-    encoder_row(PRINT, "Table 1"),
-    table_row("Table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
-    interval_of_errors(PRINT, READINGS, ("rebuilt",)),
+    _readings.encoder_row(PRINT, "Table 1"),
+    _readings.table_row("Table 2", "(12)-(15)", READINGS, ("S47", "S48"), marks=("rebuilt",)),
+    _readings.interval_of_errors(PRINT, READINGS, ("rebuilt",)),
     *(interval_row(variant) for variant in READINGS),
-    adequacy_row(PRINT),
+    _readings.adequacy_row(PRINT),
     PRINT.claim(
         "inaccurate manufacture",
         all_of(
@@ -195,7 +187,7 @@ CONSEQUENCES = (
         ", and the bound is 2.437°.",
         marks=("inferred", "consequence"),
     ),
-    if_u_is_s(
+    _readings.if_u_is_s(
         "Table 2",
         READINGS,
         halves=("0.027", "0.006", "0.015", "0.022"),
