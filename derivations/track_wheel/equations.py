@@ -3,7 +3,6 @@
 import sympy as sp
 
 from mechproof.record import *
-from mechproof.record import ChainLink, Distinct, Equality, Equation, Reading, all_of
 
 from .mechanics import *
 

@@ -6,7 +6,6 @@ import sympy as sp
 from sympy import cos, pi, sin, sqrt
 
 from mechproof.record import *
-from mechproof.record import Claim, Definition, Equality, Part, all_of, ours
 
 from .._linear import solve_linear
 from .._metrology import POSITIVE
