@@ -133,7 +133,7 @@ class ErrorAnalysis:
         elif step.kind in ("copy", "approximate"):
             self._round(step, given[0], (self._one,))
         else:
-            exact, slopes = RULES[step.kind](given, self.turn)
+            exact, slopes = RULES[step.kind](self.turn, *given)
             if step.proved and step.ulps:
                 # Of two arguments the place is that of their quotient.
                 error = self._look_up(step, given[0] / given[1] if given[1:] else given[0]) * EPS
@@ -149,7 +149,7 @@ class ErrorAnalysis:
         Where roundings may turn the test the error is up to the difference of both sides (Goubault
         and Putot 2013), besides their own.
         """
-        exact, slopes = RULES[step.kind](given, self.turn)
+        exact, slopes = RULES[step.kind](self.turn, *given)
         jump: Ends = np.float64(0.0)
         if step.kind == CHOICE and all(slopes[1:]) and not self._is_exact:
             jump = (given[1] - given[2]).expanded().largest()

@@ -6,7 +6,7 @@ These are the elementary partial derivatives of automatic differentiation (Griew
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 import numpy as np
@@ -39,49 +39,24 @@ SOME = Interval(np.float64(0.0), np.float64(1.0))
 # How the value of an operation moves with each operand; None where it does not.
 Slopes = tuple[IntervalMonomial | None, ...]
 Moved = tuple[IntervalMonomial, Slopes]
-Rule = Callable[[Sequence[IntervalMonomial], Turn | None], Moved]
+# Of the angle that is reduced by whole turns, then of the operands.
+Rule = Callable[..., Moved]
 
 
 def _one(monomial: IntervalMonomial) -> IntervalMonomial:
     return monomial.variables.constant(ONE)
 
 
-def _add(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    return a + b, (_one(a), _one(a))
+def _number(monomial: IntervalMonomial, number: float) -> IntervalMonomial:
+    return monomial.variables.constant(exactly(number))
 
 
-def _subtract(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    return a - b, (_one(a), -_one(a))
-
-
-def _multiply(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    return a * b, (b, a)
-
-
-def _divide(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
+def _divide(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
     quotient = a / b
     return quotient, (_one(a) / b, -(quotient / b))
 
 
-def _fma(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b, c = given
-    return a * b + c, (b, a, _one(a))
-
-
-def _negate(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return -given[0], (-_one(given[0]),)
-
-
-def _square(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return given[0].squared(), (given[0].scaled(exactly(2.0)),)
-
-
-def _sqrt(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    (a,) = given
+def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
     # Odd powers of what vanishes have no root among the monomials, nor squares of what has any
     # sign.
     halves = a.variables.intern(tuple([p // 2 for p in a.powers]))
@@ -89,30 +64,18 @@ def _sqrt(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
         root = a.variables.constant(a.expanded().sqrt())
     else:
         root = IntervalMonomial(a.variables, a.span.sqrt(), halves)
-    return root, (a.variables.constant(exactly(0.5)) / root,)
+    return root, (_number(a, 0.5) / root,)
 
 
-def _hypot(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    root, _ = _sqrt((a.squared() + b.squared(),), turn)
+def _hypot(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
+    root, _ = _sqrt(turn, a.squared() + b.squared())
     return root, (a / root, b / root)
 
 
-def _absolute(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    (a,) = given
+def _absolute(turn: Turn | None, a: IntervalMonomial) -> Moved:
     if sign := a.decide_sign():
-        return (a if sign > 0 else -a), (a.variables.constant(exactly(sign)),)
+        return (a if sign > 0 else -a), (_number(a, sign),)
     return a.size(), (a.variables.constant(EITHER),)
-
-
-def _maximum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    return _either(a, b, (a - b).expanded(), np.maximum)
-
-
-def _minimum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
-    return _either(a, b, (b - a).expanded(), np.minimum)
 
 
 def _either(
@@ -133,19 +96,12 @@ def enclose_rest(rounded: IntervalMonomial) -> IntervalMonomial:
     return rounded.scaled(around(0.0, UNIT * (1 + EPS)))
 
 
-def _sum_rest(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    one = _one(given[0])
-    return enclose_rest(given[2]), (one, one, -one)
-
-
-def _less(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
+def _less(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
     lead = (b - a).expanded()
     return _decide(a, lead.low > 0, lead.high <= 0)
 
 
-def _less_equal(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    a, b = given
+def _less_equal(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
     lead = (b - a).expanded()
     return _decide(a, lead.low >= 0, lead.high < 0)
 
@@ -156,9 +112,10 @@ def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
     return one.variables.constant(truth), (None, None)
 
 
-def _choose(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
+def _choose(
+    turn: Turn | None, test: IntervalMonomial, a: IntervalMonomial, b: IntervalMonomial
+) -> Moved:
     """Return what is chosen, where nobody knows which one, both."""
-    test, a, b = given
     is_first, is_second = test.span.low == 1, test.span.high == 0
     chosen = a.variables.choose(is_first, is_second, ~(is_first | is_second))
     if chosen < 2:
@@ -167,67 +124,47 @@ def _choose(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return a.hull(b), (None, some, some)
 
 
-def _tan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    tangent = take_tangent(given[0], turn)
+def _tan(turn: Turn | None, a: IntervalMonomial) -> Moved:
+    tangent = take_tangent(a, turn)
     return tangent, (_one(tangent) + tangent.squared(),)
 
 
-def _sin(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return take_sine(given[0], turn), (take_cosine(given[0], turn),)
-
-
-def _cos(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    return take_cosine(given[0], turn), (-take_sine(given[0], turn),)
-
-
-def _arctan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    (a,) = given
-    return take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)
-
-
-def _arctan2(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    y, x = given
+def _arctan2(turn: Turn | None, y: IntervalMonomial, x: IntervalMonomial) -> Moved:
     square = x.squared() + y.squared()
     return take_angle(y, x), (x / square, -(y / square))
 
 
-def _exp(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    (a,) = given
+def _exp(turn: Turn | None, a: IntervalMonomial) -> Moved:
     value = a.variables.constant(exponential(a.expanded()))
     return value, (value,)
 
 
-def _log(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
-    (a,) = given
-    return a.variables.constant(logarithm(a.expanded())), (_one(a) / a,)
-
-
 RULES: Mapping[str, Rule] = MappingProxyType(
     {
-        "add": _add,
-        "subtract": _subtract,
-        "multiply": _multiply,
+        "add": lambda turn, a, b: (a + b, (_one(a), _one(a))),
+        "subtract": lambda turn, a, b: (a - b, (_one(a), -_one(a))),
+        "multiply": lambda turn, a, b: (a * b, (b, a)),
         "divide": _divide,
-        "fma": _fma,
-        "negate": _negate,
-        "square": _square,
+        "fma": lambda turn, a, b, c: (a * b + c, (b, a, _one(a))),
+        "negate": lambda turn, a: (-a, (-_one(a),)),
+        "square": lambda turn, a: (a.squared(), (a.scaled(exactly(2.0)),)),
         "sqrt": _sqrt,
         "hypot": _hypot,
         "absolute": _absolute,
-        "maximum": _maximum,
-        "minimum": _minimum,
-        "sum_rest": _sum_rest,
+        "maximum": lambda turn, a, b: _either(a, b, (a - b).expanded(), np.maximum),
+        "minimum": lambda turn, a, b: _either(a, b, (b - a).expanded(), np.minimum),
+        "sum_rest": lambda turn, a, b, s: (enclose_rest(s), (_one(a), _one(a), -_one(a))),
         "less": _less,
         "less_equal": _less_equal,
-        "greater": lambda given, turn: _less(given[::-1], turn),
-        "greater_equal": lambda given, turn: _less_equal(given[::-1], turn),
+        "greater": lambda turn, a, b: _less(turn, b, a),
+        "greater_equal": lambda turn, a, b: _less_equal(turn, b, a),
         "choose": _choose,
-        "sin": _sin,
-        "cos": _cos,
+        "sin": lambda turn, a: (take_sine(a, turn), (take_cosine(a, turn),)),
+        "cos": lambda turn, a: (take_cosine(a, turn), (-take_sine(a, turn),)),
         "tan": _tan,
-        "arctan": _arctan,
+        "arctan": lambda turn, a: (take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)),
         "arctan2": _arctan2,
         "exp": _exp,
-        "log": _log,
+        "log": lambda turn, a: (a.variables.constant(logarithm(a.expanded())), (_one(a) / a,)),
     }
 )
