@@ -6,8 +6,8 @@ matter to what depends on their quotient: the parts are taken for the tangent an
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import cache
+from collections.abc import Mapping
+from functools import cache, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -24,37 +24,16 @@ PROVED = float("inf")
 PARTS = ("tangent_above", "tangent_below")
 
 
-def _expand_function(kind: str, name: str) -> Expansion:
-    program = Program(("y",), (Operation("q", name, ("y",)),), ("q",))
-    return Expansion(program, {"q": PROVED}, {"q": kind})
+def _expand(
+    inputs: str, *steps: tuple[str, str, str], proved: str = "", **errors: float
+) -> Expansion:
+    """Return the program of steps, each a result, a kind and operands of one letter.
 
-
-def _expand_tangent() -> Expansion:
-    """Take the tangent for the exact quotient of its two parts, which is rounded."""
-    operations = (Operation("w", "tan", ("y",)), Operation("q", "copy", ("w",)))
-    program = Program(("y",), operations, ("q",))
-    return Expansion(program, {"w": PROVED, "q": HALF}, {"w": "tan"})
-
-
-def _expand_quotient() -> Expansion:
-    operations = (Operation("w", "divide", ("a", "b")), Operation("q", "arctan", ("w",)))
-    program = Program(("a", "b"), operations, ("q",))
-    return Expansion(program, {"w": EXACT, "q": PROVED}, {"q": "arctan_quotient"})
-
-
-def _expand_direction() -> Expansion:
-    program = Program(("a", "b"), (Operation("q", "arctan2", ("a", "b")),), ("q",))
-    return Expansion(program, {"q": PROVED}, {"q": "arctan2"})
-
-
-def _expand_hypotenuse() -> Expansion:
-    """Leave out the power of two by which the sides are scaled: it moves no rounding."""
-    operations = (
-        Operation("s", "square", ("b",)),
-        Operation("w", "fma", ("a", "a", "s")),
-        Operation("q", "sqrt", ("w",)),
-    )
-    return Expansion(Program(("a", "b"), operations, ("q",)))
+    `errors` are what results are off by, in eps, or that it is what is proved of a function.
+    """
+    operations = tuple(Operation(result, kind, tuple(given)) for result, kind, given in steps)
+    known = {result: proved for result, off in errors.items() if off == PROVED}
+    return Expansion(Program(tuple(inputs), operations, ("q",)), errors, known)
 
 
 def _model_part(kind: str, result: str, angle: Operand) -> Operation:
@@ -65,13 +44,8 @@ def _model_part(kind: str, result: str, angle: Operand) -> Operation:
 
 def _expand_part(kind: str) -> Expansion:
     program = Program(("y",), (_model_part(kind, "q", "y"),), ("q",))
-    is_above = kind == "tangent_above"
-    return Expansion(
-        program,
-        {"q": PROVED} if is_above else {},
-        {"q": "tan"} if is_above else {},
-        frozenset({"q"}),
-    )
+    known = {"q": "tan"} if kind == "tangent_above" else {}
+    return Expansion(program, dict.fromkeys(known, PROVED), known, frozenset({"q"}))
 
 
 def _expand_tangent_quotient() -> Expansion:
@@ -115,25 +89,31 @@ def list_expansions() -> Mapping[str, Expansion]:
         find_part(build("tan", DOUBLE).program, kind)
     return MappingProxyType(
         {
-            **{kind: _expand_function(kind, kind) for kind in ("sin", "cos")},
-            "tan": _expand_tangent(),
-            "small_arctan": _expand_function("small_arctan", "arctan"),
-            "arctan_quotient": _expand_quotient(),
-            "arctan2": _expand_direction(),
-            "hypot": _expand_hypotenuse(),
+            **{k: _expand("y", ("q", k, "y"), proved=k, q=PROVED) for k in ("sin", "cos")},
+            # The exact quotient of its two parts, which is rounded.
+            "tan": _expand(
+                "y", ("w", "tan", "y"), ("q", "copy", "w"), proved="tan", w=PROVED, q=HALF
+            ),
+            "small_arctan": _expand("y", ("q", "arctan", "y"), proved="small_arctan", q=PROVED),
+            "arctan_quotient": _expand(
+                *("ab", ("w", "divide", "ab"), ("q", "arctan", "w")),
+                proved="arctan_quotient",
+                w=EXACT,
+                q=PROVED,
+            ),
+            "arctan2": _expand("ab", ("q", "arctan2", "ab"), proved="arctan2", q=PROVED),
+            # Without the power of two by which the sides are scaled: it moves no rounding.
+            "hypot": _expand("ab", ("s", "square", "b"), ("w", "fma", "aas"), ("q", "sqrt", "w")),
             "tangent_quotient": _expand_tangent_quotient(),
             **{kind: _expand_part(kind) for kind in PARTS},
         }
     )
 
 
-def _compute(kind: str) -> Callable[..., Any]:
-    def compute(*values: Any) -> Any:
-        program = build(kind, DOUBLE).program
-        return run(program, dict(zip(program.inputs, values, strict=True)), IN_DOUBLES)[0]
-
-    return compute
+def _compute(kind: str, *values: Any) -> Any:
+    program = build(kind, DOUBLE).program
+    return run(program, dict(zip(program.inputs, values, strict=True)), IN_DOUBLES)[0]
 
 
 # Operations of compiled kernels in doubles.
-COMPILED = IN_DOUBLES.but(**{kind: _compute(kind) for kind in BODIES})
+COMPILED = IN_DOUBLES.but(**{kind: partial(_compute, kind) for kind in BODIES})
