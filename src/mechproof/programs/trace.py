@@ -40,6 +40,15 @@ class RecordedFunction:
     ways: tuple[Program, ...]
 
 
+def _operate(kind: str, *, is_last: bool = False) -> Callable[[Value, Any], Value]:
+    """Return the method of an operator: its value is the first operand, or the last one."""
+
+    def operate(value: Value, other: Any) -> Value:
+        return value.apply(kind, *((other, value) if is_last else (value, other)))
+
+    return operate
+
+
 class Value:
     """A number that a function computes: all that is done to it is recorded."""
 
@@ -54,50 +63,16 @@ class Value:
         is_number = isinstance(self.operand, int | float)
         return self._tape.value(-self.operand) if is_number else self.apply("negate", self)
 
-    def __add__(self, other: Value | float) -> Value:
-        return self.apply("add", self, other)
-
-    def __radd__(self, other: float) -> Value:
-        return self.apply("add", other, self)
-
-    def __sub__(self, other: Value | float) -> Value:
-        return self.apply("subtract", self, other)
-
-    def __rsub__(self, other: float) -> Value:
-        return self.apply("subtract", other, self)
-
-    def __mul__(self, other: Value | float) -> Value:
-        return self.apply("multiply", self, other)
-
-    def __rmul__(self, other: float) -> Value:
-        return self.apply("multiply", other, self)
-
-    def __truediv__(self, other: Value | float) -> Value:
-        return self.apply("divide", self, other)
-
-    def __rtruediv__(self, other: float) -> Value:
-        return self.apply("divide", other, self)
+    __add__, __radd__ = _operate("add"), _operate("add", is_last=True)
+    __sub__, __rsub__ = _operate("subtract"), _operate("subtract", is_last=True)
+    __mul__, __rmul__ = _operate("multiply"), _operate("multiply", is_last=True)
+    __truediv__, __rtruediv__ = _operate("divide"), _operate("divide", is_last=True)
+    __gt__, __lt__ = _operate("greater"), _operate("less")
+    __ge__, __le__ = _operate("greater_equal"), _operate("less_equal")
+    __and__, __or__ = _operate("both"), _operate("either")
 
     def __abs__(self) -> Value:
         return self.apply("absolute", self)
-
-    def __gt__(self, other: Value | float) -> Value:
-        return self.apply("greater", self, other)
-
-    def __lt__(self, other: Value | float) -> Value:
-        return self.apply("less", self, other)
-
-    def __ge__(self, other: Value | float) -> Value:
-        return self.apply("greater_equal", self, other)
-
-    def __le__(self, other: Value | float) -> Value:
-        return self.apply("less_equal", self, other)
-
-    def __and__(self, other: Any) -> Value:
-        return self.apply("both", self, other)
-
-    def __or__(self, other: Any) -> Value:
-        return self.apply("either", self, other)
 
     def __eq__(self, other: object) -> Any:
         return self.apply("equal", self, other)
