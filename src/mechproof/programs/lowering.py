@@ -12,6 +12,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial, reduce
+from itertools import chain
 from types import MappingProxyType
 
 import sympy as sp
@@ -78,17 +80,17 @@ class Lowering:
 
     def join(self, relations: Iterable[sp.Basic]) -> Operand:
         """Add the operations that say whether all relations hold."""
-        first, *others = relations
-        result = self.lower_relation(first)
-        for other in others:
-            result = self._add("both", result, self.lower_relation(other))
-        return result
+        return self._fold("both", map(self.lower_relation, relations))
 
     def _add(self, kind: str, *operands: Operand) -> str:
         # The list never shrinks, so that no two temporaries have one number.
         result = f"{TEMPORARY}{len(self.operations) + 1}"
         self.operations.append(Operation(result, kind, operands))
         return result
+
+    def _fold(self, kind: str, operands: Iterable[Operand]) -> Operand:
+        """Add the operations that take operands together, each as soon as it is known."""
+        return reduce(partial(self._add, kind), operands)
 
     def _name_last(self, operand: Operand, suggestion: str) -> Operand:
         """Give the temporary that is used more than once a name."""
@@ -133,12 +135,8 @@ class Lowering:
         return self._add("add", value, self._add("multiply", 0, argument))
 
     def _extreme(self, extreme: sp.Max | sp.Min) -> Operand:
-        first, *others = extreme.args
-        result = self.lower(first)
-        for other in others:
-            kind = "maximum" if isinstance(extreme, sp.Max) else "minimum"
-            result = self._add(kind, result, self.lower(other))
-        return result
+        kind = "maximum" if isinstance(extreme, sp.Max) else "minimum"
+        return self._fold(kind, map(self.lower, extreme.args))
 
     def _sum(self, total: sp.Add) -> Operand:
         first, *others = sorted(total.args, key=sort_positive_first)
@@ -159,19 +157,15 @@ class Lowering:
             return self._multiply(small + large, negative)
         first, last = (small, large) if small else (large, [])
         above = self._multiply(first, negative)
-        result: Operand = self._add("divide", above, self.lower(denominator))
-        for factor in last:
-            result = self._add("multiply", result, self.lower(factor))
-        return result
+        result = self._add("divide", above, self.lower(denominator))
+        return self._fold("multiply", chain([result], map(self.lower, last)))
 
     def _multiply(self, factors: list[sp.Expr], negative: bool) -> Operand:
         first, *others = factors
         result = self.lower(first)
         if negative:
             result = self._add("negate", result) if isinstance(result, str) else -result
-        for factor in others:
-            result = self._add("multiply", result, self.lower(factor))
-        return result
+        return self._fold("multiply", chain([result], map(self.lower, others)))
 
     def _power(self, power: sp.Pow) -> Operand:
         base, exponent = power.as_base_exp()
@@ -221,12 +215,10 @@ class Lowering:
         return self._add(kind, self.lower(low), self.lower(high))
 
     def _logical(self, joined: sp.And | sp.Or) -> Operand:
-        first, *others = sorted(joined.args, key=sp.default_sort_key)
-        result = self.lower(first)
-        for other in others:
-            kind = "both" if isinstance(joined, sp.And) else "either"
-            result = self._add(kind, result, self.lower(other))
-        return result
+        parts = sorted(joined.args, key=sp.default_sort_key)
+        return self._fold(
+            "both" if isinstance(joined, sp.And) else "either", map(self.lower, parts)
+        )
 
     def _piecewise(self, piecewise: sp.Piecewise) -> Operand:
         (value, condition), *rest = piecewise.args
@@ -295,10 +287,7 @@ _METHODS: tuple[tuple[type, Callable[[Lowering, sp.Basic], Operand]], ...] = (
     (sp.Symbol, Lowering._symbol),
     (sp.Rational, Lowering._number),
     (sp.Float, Lowering._number),
-    (type(sp.pi), Lowering._constant),
-    (type(sp.E), Lowering._constant),
-    (type(sp.oo), Lowering._constant),
-    (type(sp.nan), Lowering._constant),
+    *((type(constant), Lowering._constant) for constant in CONSTANTS),
     (sp.Add, Lowering._sum),
     (sp.Mul, Lowering._product),
     (sp.Pow, Lowering._power),
