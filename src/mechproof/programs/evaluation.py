@@ -110,6 +110,20 @@ class Evaluation:
         output = map_entries(convert, self.output)
         return self.rearrange((*old, *steps), output)
 
+    def convert_parts(
+        self,
+        is_meant: Callable[[sp.Basic], bool],
+        convert: Callable[[sp.Expr], sp.Expr],
+        steps: Iterable[Step] = (),
+    ) -> Evaluation:
+        """Apply `convert` to the parts that are meant, inner ones first, and add `steps`."""
+        return self.transform(lambda value: value.replace(is_meant, convert), steps)
+
+    def list_angles(self, *functions: type[sp.Function]) -> list[sp.Expr]:
+        """List what functions are taken of, in SymPy's order."""
+        found = {node.args[0] for e in self.expressions() for node in e.atoms(*functions)}
+        return sorted(found, key=sp.default_sort_key)
+
     def rearrange(self, steps: Iterable[Step], output: sp.Basic) -> Evaluation:
         """Take other steps and another output; what the output does not need is left out."""
         return replace(self, **_arranged(steps, output))

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from mechproof.programs.evaluation import Evaluation, Step
+from mechproof.programs.rewrites.factored_sums import is_sum
 from mechproof.programs.rounding_functions import Single, WholeTurnsOff
 from mechproof.programs.step_names import suggest_name
 
@@ -33,10 +34,7 @@ def clenshaw(evaluation: Evaluation) -> Evaluation:
             first, second = name, first
         return sp.Add(*rest) + first * sp.sin(x)
 
-    def visit(expression: sp.Expr) -> sp.Expr:
-        return expression.replace(lambda node: isinstance(node, sp.Add), convert)
-
-    return evaluation.transform(visit, steps)
+    return evaluation.convert_parts(is_sum, convert, steps)
 
 
 def _collect(
@@ -61,13 +59,12 @@ def in_single(evaluation: Evaluation) -> Evaluation:
     The coefficients of Clenshaw's recurrence are rounded to float32, too, so that all of it is
     computed in float32. Always legal: the rewrite changes the rounding alone.
     """
-    angles = {n.args[0] for e in evaluation.expressions() for n in e.atoms(sp.sin, sp.cos)}
     steps: list[Step] = []
     small = {
         x: evaluation.add_step(
             f"single_{suggest_name(x, 'angle')}", Single(WholeTurnsOff(x)), steps
         )
-        for x in sorted(angles, key=sp.default_sort_key)
+        for x in evaluation.list_angles(sp.sin, sp.cos)
     }
 
     def convert(expression: sp.Expr) -> sp.Expr:

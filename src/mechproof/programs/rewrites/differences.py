@@ -15,7 +15,7 @@ from sympy.codegen.cfunctions import expm1, log1p
 from sympy.codegen.rewriting import expm1_opt, log1p_opt, optimize
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.factored_sums import Factors, is_root
+from mechproof.programs.rewrites.factored_sums import Factors, is_root, is_sum
 
 # For f(a) - f(b): what it equals by a, b and d = a - b, and the values that have to be positive.
 Theorem = Callable[[sp.Expr, sp.Expr, sp.Expr], tuple[sp.Expr, tuple[sp.Expr, ...]]]
@@ -47,10 +47,7 @@ def difference_of_functions(evaluation: Evaluation) -> Evaluation:
             return factor * value + (convert(rest) if rest.is_Add else rest)
         return total
 
-    changed = evaluation.transform(
-        lambda e: e.replace(lambda node: isinstance(node, sp.Add), convert)
-    )
-    return changed.oblige(legal)
+    return evaluation.convert_parts(is_sum, convert).oblige(legal)
 
 
 _Term = tuple[sp.Expr, sp.Expr, sp.Function]
@@ -86,10 +83,7 @@ def difference_of_roots(evaluation: Evaluation) -> Evaluation:
         legal.append(sp.Gt(below, 0))
         return sign * factors.name_sums(sp.expand(root**2 - other**2)) / below
 
-    changed = evaluation.transform(
-        lambda e: e.replace(lambda node: isinstance(node, sp.Add), convert), factors.steps
-    )
-    return changed.oblige(legal)
+    return evaluation.convert_parts(is_sum, convert, factors.steps).oblige(legal)
 
 
 def expm1_log1p(evaluation: Evaluation) -> Evaluation:

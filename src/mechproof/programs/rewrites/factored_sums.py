@@ -78,6 +78,11 @@ def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
     return len(signs) == 2 and power % 2 == 1 and product.could_extract_minus_sign()
 
 
+def is_sum(node: sp.Basic) -> bool:
+    """Tell whether a node is a sum."""
+    return isinstance(node, sp.Add)
+
+
 def is_root(node: sp.Basic) -> bool:
     """Tell whether a node is a square root."""
     return isinstance(node, sp.Pow) and node.exp == sp.S.Half

@@ -28,7 +28,7 @@ def half_angle_tangent(evaluation: Evaluation) -> Evaluation:
     An angle with a low word has t = opposite/adjacent by the tangent of a sum, and the
     polynomials are homogeneous in both: adjacent may vanish, and neither cancels where it counts.
     """
-    for angle in _angles(evaluation, (sp.sin, sp.cos)):
+    for angle in evaluation.list_angles(sp.sin, sp.cos):
         factors = Factors(evaluation)
         opposite, adjacent = _halve(angle, evaluation, factors)
         convert = partial(
@@ -105,7 +105,7 @@ def cosine_minus_one(evaluation: Evaluation) -> Evaluation:
     Exact for every real x. A sum with a number that cancels is expanded; elsewhere the cosine
     is one step, 1 + cosm1_x.
     """
-    angles = _angles(evaluation, (sp.cos,))
+    angles = evaluation.list_angles(sp.cos)
     small = {x: evaluation.new_symbol(f"cosm1_{suggest_name(x, otherwise='x')}") for x in angles}
     cosines = {x: evaluation.new_symbol(f"cos_{suggest_name(x, otherwise='x')}") for x in angles}
     steps: list[Step] = [(small[x], -2 * sp.sin(x / 2) ** 2) for x in angles]
@@ -125,11 +125,6 @@ def _cancel_ones(
         if not expanded.as_coeff_Add()[0]:
             return expanded
     return expression.func(*(_cancel_ones(a, small, cosines) for a in expression.args))
-
-
-def _angles(evaluation: Evaluation, functions: tuple[type[sp.Function], ...]) -> list[sp.Expr]:
-    found = {node.args[0] for e in evaluation.expressions() for node in e.atoms(*functions)}
-    return sorted(found, key=sp.default_sort_key)
 
 
 def positive_atan2(evaluation: Evaluation) -> Evaluation:

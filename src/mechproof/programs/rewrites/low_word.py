@@ -28,7 +28,7 @@ def low_word(evaluation: Evaluation) -> Evaluation:
     values = dict(evaluation.steps)
     steps: list[Step] = []
     low: dict[sp.Symbol, sp.Symbol] = {}
-    for angle in sorted(_angles(evaluation), key=sp.default_sort_key):
+    for angle in evaluation.list_angles(sp.sin, sp.cos):
         _, x = angle.as_coeff_Mul()
         if x not in low:
             low[x] = _add_rest(x, values, evaluation, steps)
@@ -37,19 +37,13 @@ def low_word(evaluation: Evaluation) -> Evaluation:
         factor, x = node.args[0].as_coeff_Mul()
         return node.func(factor * x + factor * low[x])
 
-    return evaluation.transform(
-        lambda e: e.replace(lambda node: isinstance(node, sp.sin | sp.cos), add_low), steps
-    )
+    return evaluation.convert_parts(lambda n: isinstance(n, sp.sin | sp.cos), add_low, steps)
 
 
 def low_part(angle: sp.Expr, evaluation: Evaluation) -> sp.Expr:
     """Return the terms of an angle that are low words, 0 if there are none."""
     rests = {symbol for symbol, value in evaluation.steps if value.has(ProductRest)}
     return sp.Add(*(term for term in sp.Add.make_args(angle) if term.free_symbols & rests))
-
-
-def _angles(evaluation: Evaluation) -> set[sp.Expr]:
-    return {node.args[0] for e in evaluation.expressions() for node in e.atoms(sp.sin, sp.cos)}
 
 
 def _add_rest(

@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from mechproof.programs.evaluation import Evaluation
-from mechproof.programs.rewrites.factored_sums import Factors, is_root
+from mechproof.programs.rewrites.factored_sums import Factors, is_root, is_sum
 
 
 def hypotenuse(evaluation: Evaluation) -> Evaluation:
@@ -34,7 +34,7 @@ def hypotenuse(evaluation: Evaluation) -> Evaluation:
             first = hypot(first, other)
         return first
 
-    return evaluation.transform(lambda e: e.replace(is_root_of_squares, nest))
+    return evaluation.convert_parts(is_root_of_squares, nest)
 
 
 def conjugate_root(evaluation: Evaluation) -> Evaluation:
@@ -48,7 +48,7 @@ def conjugate_root(evaluation: Evaluation) -> Evaluation:
     legal: list[sp.Basic] = []
 
     def is_sum_with_root(node: sp.Basic) -> bool:
-        return isinstance(node, sp.Add) and sum(map(is_root, node.args)) == 1
+        return is_sum(node) and sum(map(is_root, node.args)) == 1
 
     @cache
     def convert(node: sp.Add) -> sp.Expr:
@@ -64,8 +64,7 @@ def conjugate_root(evaluation: Evaluation) -> Evaluation:
         factors.steps.extend([(u, value), (w, product), (q, hypot(sp.sqrt(w), u) + sp.Abs(u))])
         return sp.Piecewise((q, u >= 0), (w / q, True))
 
-    changed = evaluation.transform(lambda e: e.replace(is_sum_with_root, convert), factors.steps)
-    return changed.oblige(legal)
+    return evaluation.convert_parts(is_sum_with_root, convert, factors.steps).oblige(legal)
 
 
 def difference_of_squares(evaluation: Evaluation) -> Evaluation:
@@ -73,16 +72,14 @@ def difference_of_squares(evaluation: Evaluation) -> Evaluation:
     factors = Factors(evaluation)
 
     def is_difference(node: sp.Basic) -> bool:
-        if not (isinstance(node, sp.Add) and len(node.args) == 2):
+        if not (is_sum(node) and len(node.args) == 2):
             return False
         negative = [term.could_extract_minus_sign() for term in node.args]
         return sum(negative) == 1 and all(
             _is_square(-t if n else t) for t, n in zip(node.args, negative, strict=True)
         )
 
-    return evaluation.transform(
-        lambda e: e.replace(is_difference, factors.name_sums), factors.steps
-    )
+    return evaluation.convert_parts(is_difference, factors.name_sums, factors.steps)
 
 
 def _is_square(term: sp.Expr) -> bool:
