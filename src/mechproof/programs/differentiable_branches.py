@@ -35,8 +35,8 @@ def _block(program: Program, result: str) -> Program:
     operations = [*before, *blocked, *program.operations[place:]]
     if is_unnamed(condition):
         # What has no name is used once.
-        names = {condition: unused_name("holds", taken)}
-        operations = [_rename(step, names) for step in operations]
+        names: dict[Operand, str] = {condition: unused_name("holds", taken)}
+        operations = [step.rename(names) for step in operations]
     return replace(program, operations=tuple(operations))
 
 
@@ -57,7 +57,7 @@ def _block_branch(
             taken.add(names[value])
             operands = tuple(o or value for o in chosen)
             steps.append(Operation(names[value], "choose", operands))
-    return [*steps, *(_rename(step, names) for step in own)]
+    return [*steps, *(step.rename(names) for step in own)]
 
 
 def _list_own(program: Program, choice: Operation, branch: Operand) -> list[Operation]:
@@ -71,8 +71,3 @@ def _list_own(program: Program, choice: Operation, branch: Operand) -> list[Oper
             own.insert(0, step)
             made.add(step.result)
     return [] if made.intersection(map(str, program.outputs)) else own
-
-
-def _rename(step: Operation, names: dict[Operand, str]) -> Operation:
-    operands = tuple(names.get(o, o) for o in step.operands)
-    return replace(step, result=names.get(step.result, step.result), operands=operands)

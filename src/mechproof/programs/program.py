@@ -6,7 +6,7 @@ counts and every backend read programs; a printer only spells them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -28,6 +28,11 @@ class Operation:
     kind: str
     operands: tuple[Operand, ...]
 
+    def rename(self, names: Mapping[Operand, Operand]) -> Operation:
+        """Return the operation with other names for what it takes and what it makes."""
+        operands = tuple(names.get(operand, operand) for operand in self.operands)
+        return Operation(str(names.get(self.result, self.result)), self.kind, operands)
+
 
 @dataclass(frozen=True)
 class Program:
@@ -42,16 +47,16 @@ class Program:
 
         Equal programs become equal objects: a temporary stands right before what uses it.
         """
-        names: dict[Operand, str] = {}
-        operations = []
-        for step in self._list_as_read():
-            operands = tuple(names.get(operand, operand) for operand in step.operands)
-            if step.result.startswith(TEMPORARY):
-                names[step.result] = f"{TEMPORARY}{len(names) + 1}"
-            result = names.get(step.result, step.result)
-            operations.append(Operation(result, step.kind, operands))
-        outputs = tuple(names.get(output, output) for output in self.outputs)
-        return replace(self, operations=tuple(operations), outputs=outputs)
+        operations = self._list_as_read()
+        unnamed = (step.result for step in operations if is_unnamed(step.result))
+        names: dict[Operand, str] = {n: f"{TEMPORARY}{i}" for i, n in enumerate(unnamed, start=1)}
+        return replace(self, operations=operations).rename(names)
+
+    def rename(self, names: Mapping[Operand, Operand]) -> Program:
+        """Return the program with other names for its inputs, for results and for operands."""
+        inputs = tuple(str(names.get(name, name)) for name in self.inputs)
+        operations = tuple(step.rename(names) for step in self.operations)
+        return Program(inputs, operations, tuple(names.get(o, o) for o in self.outputs))
 
     def _list_as_read(self) -> tuple[Operation, ...]:
         made = {step.result: step for step in self.operations}
@@ -80,20 +85,6 @@ NOTHING = Program((), (), ())
 def is_unnamed(operand: Operand) -> bool:
     """Say whether an operand is the result of an operation that is used here alone."""
     return isinstance(operand, str) and operand.startswith(TEMPORARY)
-
-
-def rename_all(
-    operations: Iterable[Operation], names: Mapping[Operand, Operand]
-) -> tuple[Operation, ...]:
-    """Return operations with other names for what they take and what they make."""
-    return tuple(
-        Operation(
-            str(names.get(step.result, step.result)),
-            step.kind,
-            tuple(names.get(operand, operand) for operand in step.operands),
-        )
-        for step in operations
-    )
 
 
 def unfuse(program: Program) -> Program:

@@ -13,7 +13,7 @@ from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
-from mechproof.programs.program import Operand, Program, is_unnamed, rename_all
+from mechproof.programs.program import Operand, Program, is_unnamed
 from mechproof.record import Paper
 
 
@@ -53,11 +53,7 @@ def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
     names: dict[Operand, str] = {n: unused_name(n, known) for n in sorted(made.intersection(taken))}
     if not names:
         return kernel
-
-    def change(program: Program) -> Program:
-        return replace(rename(program, names), operations=rename_all(program.operations, names))
-
-    stages = tuple(stage.change(change) for stage in kernel.code.stages)
+    stages = tuple(stage.change(lambda p: p.rename(names)) for stage in kernel.code.stages)
     return replace(kernel, code=replace(kernel.code, stages=stages))
 
 
@@ -95,16 +91,10 @@ def rename_components(
     }
 
 
-def rename(program: Program, names: Mapping[Operand, str]) -> Program:
-    """Return a program with other names for its inputs."""
-    return Program(
-        tuple(names.get(n, n) for n in program.inputs),
-        tuple(
-            replace(step, operands=tuple(names.get(o, o) for o in step.operands))
-            for step in program.operations
-        ),
-        tuple(names.get(o, o) for o in program.outputs),
-    )
+def name_domain(kernel: Kernel) -> Program | None:
+    """Return the program that says where the domain is, components named; None for all."""
+    inside = kernel.code.inside
+    return inside and inside.rename(rename_components(kernel.code, list_arguments(kernel)))
 
 
 def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
@@ -115,18 +105,17 @@ def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
 
 def list_conditions(kernel: Kernel) -> list[Program]:
     """List what is asked before a point is computed: the domain, then when each form is taken."""
-    renamed = rename_components(kernel.code, list_arguments(kernel))
-    inside = [rename(kernel.code.inside, renamed)] if kernel.code.inside else []
-    return inside + [stage.when for _, stage in list_stages(kernel) if stage.when]
+    asked = name_domain(kernel), *(stage.when for _, stage in list_stages(kernel))
+    return [program for program in asked if program]
 
 
 def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
-    stage = kernel.code.stages[number].spell_out().change(lambda program: rename(program, names))
+    stage = kernel.code.stages[number].spell_out().change(lambda p: p.rename(names))
     last = number == len(kernel.code.stages) - 1
     name = f"_of_{kernel.name}" if last else f"_{number + 1}_of_{kernel.name}"
     return name, replace(
         stage,
-        when=rename(stage.when, names) if stage.when else None,
+        when=stage.when and stage.when.rename(names),
         running=tuple(names.get(n, n) for n in stage.running),
         parameters=tuple(names.get(n, n) for n in stage.parameters),
     )
@@ -148,6 +137,5 @@ def join_stage(stage: Stage) -> Program:
         given[name] = names.get(value, value)
     for step in after.operations:
         given[step.result] = unused_name(step.result, taken)
-    steps = (*rename_all(before.operations, names), *rename_all(after.operations, given))
-    outputs = tuple(given.get(output, output) for output in after.outputs)
-    return Program(inputs, steps, outputs).normal_form()
+    before, after = before.rename(names), after.rename(given)
+    return Program(inputs, before.operations + after.operations, after.outputs).normal_form()

@@ -21,7 +21,6 @@ from mechproof.programs.program import (
     Operation,
     Program,
     is_unnamed,
-    rename_all,
 )
 
 # What asks more often is no formula.
@@ -226,5 +225,4 @@ def _name_repeated(program: Program) -> Program:
     uses = Counter(o for step in program.operations for o in step.operands)
     repeated = [s.result for s in program.operations if uses[s.result] > 1]
     names: dict[Operand, str] = {name: f"v{i}" for i, name in enumerate(repeated, start=1)}
-    outputs = tuple(names.get(o, o) for o in program.outputs)
-    return Program(program.inputs, rename_all(program.operations, names), outputs)
+    return program.rename(names)

@@ -15,6 +15,7 @@ import numpy as np
 
 from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import EPS, ONE, Array, list_spans
+from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.interval_monomials import BoxVariables
@@ -116,13 +117,9 @@ def _state_error(step: Step, convention: Convention) -> Step:
 
 
 def _round_inputs(straight: StraightLineProgram) -> StraightLineProgram:
-    names = {name: f"rounded {name}" for name in straight.inputs}
-    first = tuple(Step(names[name], "copy", (name,), HALF) for name in straight.inputs)
-    rest = tuple(
-        replace(step, operands=tuple(names.get(o, o) for o in step.operands))  # type: ignore[arg-type]
-        for step in straight.steps
-    )
-    return replace(straight, steps=(*first, *rest))
+    names: dict[Operand, str] = {name: f"rounded {name}" for name in straight.inputs}
+    first = (Step(rounded, "copy", (name,), HALF) for name, rounded in names.items())
+    return replace(straight, steps=(*first, *straight.rename(names).steps))
 
 
 def _enclose(name: str, ends: Range, convention: Convention) -> Side:

@@ -16,7 +16,7 @@ from mechproof.programs.elementary.formats import SINGLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
-from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
+from mechproof.programs.scalar import list_arguments, list_stages, name_domain
 from mechproof.programs.term_loops import ADDED, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
@@ -72,8 +72,7 @@ class Singles:
     def __init__(self, kernel: Kernel) -> None:
         (folded,), self._loops = fold_sums([kernel])
         self._code, self._arguments = folded.code, list_arguments(folded)
-        names = rename_components(folded.code, self._arguments)
-        self._inside = rename(folded.code.inside, names) if folded.code.inside else None
+        self._inside = name_domain(folded)
         self._stages = [stage for _, stage in list_stages(folded)]
 
     def __call__(self, *arguments: Column) -> Column:

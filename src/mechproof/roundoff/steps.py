@@ -60,6 +60,18 @@ class StraightLineProgram:
     held: tuple[str, ...] = ()
     scaled: tuple[str, ...] = ()
 
+    def rename(self, names: Mapping[Operand, Operand]) -> StraightLineProgram:
+        """Return the steps with other names for results and for operands."""
+
+        def find(*operands: Operand) -> tuple[Operand, ...]:
+            return tuple(names.get(operand, operand) for operand in operands)
+
+        steps = tuple(
+            replace(step, result=str(*find(step.result)), operands=find(*step.operands))
+            for step in self.steps
+        )
+        return replace(self, steps=steps, outputs=find(*self.outputs))
+
 
 def name_constant(number: Fraction) -> str:
     """Return a fraction as the operand of a constant."""
@@ -88,16 +100,10 @@ def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight
 def round_constants(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps with a step for each number that is no double."""
     operands = (*(o for step in straight.steps for o in step.operands), *straight.outputs)
-    names = {o: f"rounded {o}" for o in operands if not is_double(o)}
+    names: dict[Operand, str] = {o: f"rounded {o}" for o in operands if not is_double(o)}
     rounded = [Step(name, CONSTANT, (o,), HALF) for o, name in names.items()]
-    if not rounded:
-        return straight
-    steps = [
-        replace(step, operands=tuple(_rename(names, o) for o in step.operands))
-        for step in straight.steps
-    ]
-    outputs = tuple(_rename(names, o) for o in straight.outputs)
-    return replace(straight, steps=(*rounded, *steps), outputs=outputs)
+    renamed = straight.rename(names)
+    return replace(renamed, steps=(*rounded, *renamed.steps))
 
 
 def is_double(operand: Operand) -> bool:
@@ -131,17 +137,11 @@ def _append(
     expansions: Mapping[str, Expansion],
 ) -> tuple[Operand, ...]:
     names = dict(known)
-    for operation in program.operations:
-        result = f"{prefix}{operation.result}"
-        operands = tuple(_rename(names, o) for o in operation.operands)
-        renamed = replace(operation, result=result, operands=operands)
-        steps.extend(_expand(renamed, expansions))
-        names[operation.result] = result
-    return tuple(_rename(names, o) for o in program.outputs)
-
-
-def _rename(names: Mapping[Operand, Operand], operand: Operand) -> Operand:
-    return names.get(operand, operand)
+    names |= {step.result: f"{prefix}{step.result}" for step in program.operations}
+    renamed = program.rename(names)
+    for operation in renamed.operations:
+        steps.extend(_expand(operation, expansions))
+    return renamed.outputs
 
 
 def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterator[Step]:
@@ -149,15 +149,12 @@ def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterat
         yield make_step(operation)
         return
     expansion = expansions[operation.kind]
-    names: dict[Operand, Operand] = dict(
-        zip(expansion.program.inputs, operation.operands, strict=False)
-    )
-    last = expansion.program.outputs[0]
-    for inner in expansion.program.operations:
-        result = operation.result if inner.result == last else f"{operation.result}.{inner.result}"
-        operands = tuple(_rename(names, o) for o in inner.operands)
-        names[inner.result] = result
-        made = make_step(Operation(result, inner.kind, operands))
+    program, result = expansion.program, operation.result
+    names: dict[Operand, Operand] = dict(zip(program.inputs, operation.operands, strict=False))
+    names |= {inner.result: f"{result}.{inner.result}" for inner in program.operations}
+    names[program.outputs[0]] = result
+    for inner in program.operations:
+        made = make_step(inner.rename(names))
         yield replace(
             made,
             ulps=expansion.errors.get(inner.result, made.ulps),

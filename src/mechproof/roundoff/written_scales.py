@@ -180,16 +180,9 @@ def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
     outputs: list[Operand] = []
     inputs = tuple(dict.fromkeys(name for straight in straights for name in straight.inputs))
     for number, straight in enumerate(straights):
-        own = {step.result: f"{number}.{step.result}" for step in straight.steps}
-
-        def rename(operand: Operand, own: Mapping[str, str] = own) -> Operand:
-            return own.get(operand, operand) if isinstance(operand, str) else operand
-
-        steps += [
-            replace(s, result=own[s.result], operands=tuple(map(rename, s.operands)))
-            for s in straight.steps
-        ]
-        outputs += map(rename, straight.outputs)
+        renamed = straight.rename({s.result: f"{number}.{s.result}" for s in straight.steps})
+        steps += renamed.steps
+        outputs += renamed.outputs
     return StraightLineProgram(inputs, tuple(steps), tuple(outputs))
 
 

@@ -17,7 +17,7 @@ from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Operand, Operation, Program
-from mechproof.programs.scalar import list_arguments, rename, rename_components
+from mechproof.programs.scalar import list_arguments, rename_components
 from mechproof.programs.term_loops import LOOPS, TermLoop
 
 # Where the term of a loop is found, besides the indices.
@@ -33,10 +33,7 @@ def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tupl
     inside = _take_out(code.inside, names, calls) if code.inside else None
     stages = tuple(_take_out_of_stage(stage, names, calls) for stage in code.stages)
     renamed = rename_components(code, list_arguments(kernel))
-    listed = tuple(
-        replace(call, operands=tuple(renamed.get(o, o) for o in call.operands))
-        for call in calls.values()
-    )
+    listed = tuple(call.rename(renamed) for call in calls.values())
     return replace(kernel, code=replace(code, inside=inside, stages=stages)), listed
 
 
@@ -52,7 +49,7 @@ def _take_out(program: Program, names: Collection[str], calls: dict[str, Operati
     calls |= {step.kind: step for step in found.values()}
     kinds: dict[Operand, str] = {result: step.kind for result, step in found.items()}
     kept = tuple(step for step in program.operations if step.result not in found)
-    parted = rename(replace(program, operations=kept), kinds).normal_form()
+    parted = replace(program, operations=kept).rename(kinds).normal_form()
     used = {o for step in parted.operations for o in step.operands}.union(parted.outputs)
     inputs = (*program.inputs, *kinds.values())
     return replace(parted, inputs=tuple(n for n in dict.fromkeys(inputs) if n in used))
@@ -81,7 +78,7 @@ def name_elements(found: TermLoop) -> TermLoop:
     given: dict[Operand, str] = {
         name: unused_name(f"{name}_term", used) for name in found.parameters
     }
-    return replace(found, term=rename(found.term, given))
+    return replace(found, term=found.term.rename(given))
 
 
 def mean_term(found: TermLoop) -> Program:

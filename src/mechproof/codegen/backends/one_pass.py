@@ -21,9 +21,8 @@ from mechproof.programs.program import (
     Operation,
     Program,
     is_unnamed,
-    rename_all,
 )
-from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
+from mechproof.programs.scalar import list_arguments, list_stages, name_domain
 
 # The name of a value that programs have in common and that had none.
 SHARED = "shared"
@@ -46,7 +45,7 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
         arguments=first.code.arguments,
         vectors=tuple((a.name, a.components) for a in arguments if a.width),
         indexed=(),
-        inside=_name_domain(first),
+        inside=name_domain(first),
         masked=first.code.masked,
         stages=tuple(_join_stages(several, components) for several in stages),
         shape=(),
@@ -58,13 +57,7 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
 def list_unlike_domains(kernels: Sequence[Kernel]) -> list[str]:
     """List the kernels that have another domain than the first one."""
     first, *others = kernels
-    return [kernel.name for kernel in others if _name_domain(kernel) != _name_domain(first)]
-
-
-def _name_domain(kernel: Kernel) -> Program | None:
-    if kernel.code.inside is None:
-        return None
-    return rename(kernel.code.inside, rename_components(kernel.code, list_arguments(kernel)))
+    return [kernel.name for kernel in others if name_domain(kernel) != name_domain(first)]
 
 
 def _join_stages(stages: Sequence[Stage], components: Sequence[tuple[str, ...]]) -> Stage:
@@ -152,6 +145,4 @@ class _Values:
             for step in self._made.values()
             if is_unnamed(step.result) and used[step.result] > 1
         }
-        operations = rename_all(self._made.values(), names)
-        found = Program(inputs, operations, tuple(names.get(o, o) for o in outputs))
-        return found.normal_form()
+        return Program(inputs, tuple(self._made.values()), outputs).rename(names).normal_form()

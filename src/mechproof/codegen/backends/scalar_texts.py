@@ -20,8 +20,7 @@ from mechproof.programs.scalar import (
     join_stage,
     list_arguments,
     list_stages,
-    rename,
-    rename_components,
+    name_domain,
 )
 from mechproof.programs.term_loops import TermLoop
 from mechproof.record import OnePass
@@ -178,8 +177,7 @@ def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = (
     """Write the texts of a kernel in a language; `loops` are those whose values it takes."""
     code = kernel.code
     arguments = list_arguments(kernel)
-    renamed = rename_components(code, arguments)
-    inside = rename(code.inside, renamed) if code.inside else NOTHING
+    inside = name_domain(kernel) or NOTHING
     used = {o for step in inside.operations for o in step.operands}
     return ScalarKernel(
         kernel.name,

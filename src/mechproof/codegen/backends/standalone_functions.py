@@ -186,9 +186,11 @@ def _make_arrays(program: Program, script: Script) -> Program:
     for step in program.operations:
         given = [o for o in step.operands if o in numbers or not str(o).isidentifier()]
         if step.kind in script.syntax.calls:
-            names = {o: f"{TEMPORARY}{ARRAY}{len(operations) + i}" for i, o in enumerate(given)}
+            names: dict[Operand, str] = {
+                o: f"{TEMPORARY}{ARRAY}{len(operations) + i}" for i, o in enumerate(given)
+            }
             operations += [Operation(name, ARRAY, (o,)) for o, name in names.items()]
-            step = replace(step, operands=tuple(names.get(o, o) for o in step.operands))
+            step = step.rename(names)
         elif len(given) == len(step.operands):
             numbers.add(step.result)
         operations.append(step)
