@@ -1,8 +1,8 @@
 """Tailored kernels: in, a quantity, its parameters and an error; out, the cheapest loop for them.
 
-`request` checks what is asked for, `design` guesses pieces and degrees, `polynomial_fits` finds
-coefficients, `enclosure` proves the error of the program that `model` writes, `kernel` prints and
-loads it, `receiving` reads one that was pickled.
+`request` checks what is asked for, `design` guesses pieces and degrees, `build` finds coefficients,
+`enclosure` proves the error of the program that `model` writes, `tailored` prints and loads it,
+`receiving` reads one that was pickled.
 
 Metalibm (Brunie et al. 2015) makes functions of a library for an interval and an accuracy so, with
 bounds from Sollya. What differs is that any quantity of a paper is taken, its parameters put in.

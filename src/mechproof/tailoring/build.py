@@ -1,17 +1,23 @@
-"""Building: in, a request; out, the cheapest model whose enclosed bound meets it."""
+"""Building: in, a request; out, the cheapest model whose enclosed bound meets it.
+
+Coefficients are rounded one by one; Brisebarre and Chevillard (2007) look for the best ones among
+doubles. The enclosure says what that costs.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import mpmath as mp
 import numpy as np
 from flint import arb, arb_series
 
 from mechproof.arguments.scalars import refuse
+from mechproof.arithmetic import approximation
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import list_terms, working
 from mechproof.arithmetic.series_rules import Series
@@ -26,8 +32,7 @@ from mechproof.tailoring.enclosure import (
     enclose,
     seek_break,
 )
-from mechproof.tailoring.model import Model, PeriodReduction
-from mechproof.tailoring.polynomial_fits import fit
+from mechproof.tailoring.model import Model, PeriodReduction, Piece, Pieces
 from mechproof.tailoring.request import Request
 
 BITS = 53
@@ -177,7 +182,7 @@ def _build(task: Approximand, error: float) -> Built:
 
     def attempt(plan: Plan) -> Built | None:
         with working(1):
-            model = Model(task.request.variable, low, high, reduction, fit(plan, task.exact))
+            model = Model(task.request.variable, low, high, reduction, _fit(plan, task.exact))
         try:
             return Built(model, enclose(model, task.expand, task.repetition, error))
         except ExceededError:
@@ -187,6 +192,29 @@ def _build(task: Approximand, error: float) -> Built:
         if (built := attempt(plan)) is not None:
             return _lower(task.stretch, plan, built, attempt)
     raise NotReachedError
+
+
+def _fit(plan: Plan, exact: Callable[[Ball], Ball]) -> Pieces:
+    """Fit every piece of a plan."""
+    with working(1, approximation.BITS):
+        if plan.odd:
+            end = plan.edges[-1]
+            reaches = [plan.edges[1], end - plan.edges[1]][: plan.count]
+            spans = [(c, arb(reach)) for c, reach in zip((0.0, end), reaches, strict=False)]
+            powers = range(1, 2 * plan.terms, 2)
+        else:
+            pairs = pairwise(plan.edges)
+            spans = [(low + (high - low) / 2, (arb(high) - low) / 2) for low, high in pairs]
+            powers = range(plan.terms)
+        pieces = [_fit_piece(exact, centre, reach, powers) for centre, reach in spans]
+    return Pieces(plan.edges[1:-1], tuple(pieces), plan.odd, plan.mirrored)
+
+
+def _fit_piece(exact: Callable[[Ball], Ball], centre: float, reach: Ball, powers: range) -> Piece:
+    """Fit a polynomial about a centre."""
+    found = approximation.interpolate(lambda x: exact(centre + x), arb(0), reach, powers)
+    rounded = (0.0 if c.contains(0) else DOUBLE.round(take_middle(c)) for c in found)
+    return Piece(centre, tuple(rounded))
 
 
 def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
