@@ -30,11 +30,10 @@ from mechproof.roundoff.certificate import (
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import Step
+from mechproof.roundoff.steps import IN_NUMPY, Step
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
 from mechproof.roundoff.written_scales import WrittenScale

@@ -21,9 +21,9 @@ from mechproof.record import Accuracy, Chart, Quantity, Scale
 from mechproof.roundoff.certificate import holds, tell_bound
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
-from mechproof.roundoff.expansions import IN_NUMPY, WAY as NUMPY
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
+from mechproof.roundoff.steps import IN_NUMPY, WAY as NUMPY
 from mechproof.roundoff.term_sums import SEARCHED, drop_rest, run_loop, take_sum
 from mechproof.roundoff.worst import draw, measure
 

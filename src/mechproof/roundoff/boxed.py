@@ -17,8 +17,7 @@ from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import EPS, ONE, Array, list_spans
 from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
-from mechproof.roundoff.grouping import bound_in_groups
-from mechproof.roundoff.interval_monomials import BoxVariables
+from mechproof.roundoff.interval_monomials import BoxVariables, bound_in_groups
 from mechproof.roundoff.premises import FUNCTIONS, NORMAL
 from mechproof.roundoff.steps import (
     CONSTANT,

@@ -14,9 +14,8 @@ from typing import Any
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.program import Operand, Operation, Program
-from mechproof.roundoff.expansions import Expansion
 from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import EXACT, HALF
+from mechproof.roundoff.steps import EXACT, HALF, Expansion
 
 WAY = "compiled"
 # Whose error is what is proved.

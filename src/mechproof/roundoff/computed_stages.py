@@ -29,17 +29,17 @@ from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
-from mechproof.roundoff.coordinate_sums import add_up
 from mechproof.roundoff.elementary_errors import prove
-from mechproof.roundoff.expansions import IN_NUMPY, WAY
-from mechproof.roundoff.grouping import bound_in_groups
 from mechproof.roundoff.homogeneity import find_scaled
+from mechproof.roundoff.interval_monomials import bound_in_groups
 from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS, TERMS
-from mechproof.roundoff.regions import ChartRegion, express
+from mechproof.roundoff.regions import ChartRegion, add_up, express
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import (
     CHOICE,
     CONSTANT,
+    IN_NUMPY,
+    WAY,
     StraightLineProgram,
     flatten_stage,
     keep_needed,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import sympy as sp
@@ -16,11 +17,14 @@ import sympy as sp
 from mechproof.arithmetic.balls import to_ball
 from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import ONE, PI, Interval, enclose_ball, exactly, list_spans
+from mechproof.programs.operations import SYMBOLIC
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.fused import add_exactly
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
+from mechproof.roundoff.steps import EXACT, StraightLineProgram
 
+POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 # Half a turn and a little: where the nearest number of turns is no matter of rounding.
 HALF_TURN = math.pi * (1 + 2.0**-40)
 # Turns that are told apart, fewer where a rest has coordinates; more are one region.
@@ -200,3 +204,29 @@ def _enclose(interval: sp.Interval) -> Side:
 def put_side(box: Sequence[Side], index: int, side: Side) -> Box:
     """Return a box with another side."""
     return (*box[:index], side, *box[index + 1 :])
+
+
+def add_up(
+    straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
+) -> Mapping[str, sp.Expr]:
+    """Return the sums of arguments and numbers, written in coordinates.
+
+    What cancels there, 1 - e for e = 1 - d, does so before balls are put in.
+    """
+    values = {names[symbol]: value for symbol, value in chart.arguments.items()}
+    sums: dict[str, sp.Expr] = {}
+    for step in straight.steps:
+        given = [values.get(o) if isinstance(o, str) else sp.Rational(o) for o in step.operands]
+        if step.kind in POLYNOMIAL and all(value is not None for value in given):
+            value = _factor(SYMBOLIC[step.kind](*given))
+            if step.kind in ("add", "subtract"):
+                sums[step.result] = value
+            if step.ulps == EXACT:
+                values[step.result] = value
+    return sums
+
+
+@cache
+def _factor(value: sp.Expr) -> sp.Expr:
+    """Factor a sum; the ways of computing a form have the same ones."""
+    return sp.factor(value)

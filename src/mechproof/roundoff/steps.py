@@ -1,17 +1,22 @@
-"""Steps: in, a stage of a kernel; out, its operations in one row, each with its own rounding."""
+"""Steps: in, a stage of a kernel; out, its operations in one row, each with its own rounding.
+
+Some operations are written out as programs of others before.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
 from mechproof.programs.program import CONSTANTS, Operand, Operation, Program
-from mechproof.roundoff.expansions import Expansion
+from mechproof.programs.trace import TRACED, trace
 from mechproof.roundoff.premises import FUNCTIONS
 
 HALF = 0.5
@@ -28,6 +33,37 @@ ULPS: Mapping[Rounding, float] = {
     Rounding.NEAREST: HALF,
     Rounding.LIBRARY: HALF,
 }
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """A program in place of one operation; `errors` are those of approximations, in eps.
+
+    `proved` are the functions of which the error is proved; what is `scaled` is so by a factor
+    that depends on the first operand alone.
+    """
+
+    program: Program
+    errors: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    proved: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    scaled: frozenset[str] = frozenset()
+
+
+def _write_out(kind: str, *inputs: str) -> Expansion:
+    """Take the operations that a kind is put together of for its program."""
+    meaning = KINDS[kind].meaning
+    assert meaning is not None
+    return Expansion(trace(partial(meaning, TRACED), inputs))
+
+
+# What NumPy computes by its own tan and arctan; a test compares every bit.
+WAY = "NumPy's functions"
+IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
+    {
+        "tangent_quotient": _write_out("tangent_quotient", "y", "a", "b"),
+        "small_arctan": _write_out("small_arctan", "y"),
+    }
+)
 
 
 @dataclass(frozen=True)

@@ -26,10 +26,9 @@ from mechproof.programs.term_loops import ADDED, TermLoop, fold_sums
 from mechproof.record import Argument, Chart, Form, Quantity, Scale
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.elementary_errors import prove
-from mechproof.roundoff.expansions import Expansion
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import HALF, flatten_stage
+from mechproof.roundoff.steps import HALF, Expansion, flatten_stage
 
 PLACE = "n <= 2**20"
 # All products of roundings come to less, in eps and as a share: s = (n - 1)*u is at most 2**-33,

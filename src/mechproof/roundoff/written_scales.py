@@ -22,9 +22,8 @@ from mechproof.programs.program import Operand
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.affine import find_size
 from mechproof.roundoff.bound import ErrorScale
-from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.interval_monomials import IntervalMonomial
-from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage
+from mechproof.roundoff.steps import EXACT, IN_NUMPY, Step, StraightLineProgram, flatten_stage
 
 PLAIN_REWRITES = ("positive_atan2", "half_angle_tangent")
 # Of fewer terms one is the whole scale, nearly.
