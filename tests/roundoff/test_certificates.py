@@ -34,7 +34,7 @@ from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import IN_NUMPY, Step
-from mechproof.roundoff.symmetry import check_symmetry
+from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.worst import draw, measure
 from mechproof.roundoff.written_scales import WrittenScale
 
@@ -328,12 +328,11 @@ def test_a_rest_that_is_not_added_is_refused(way: str) -> None:
 
 def test_an_angle_without_symmetry_is_refused() -> None:
     _, subject = plain()
-    (chart,) = subject.form.charts
     first, *others = subject.straight.steps
     lopsided = Step("odd", "add", ("phi1", 1), 0.5)
     with pytest.raises(ValueError, match="negated"):
-        check_symmetry(
+        check_signs(
             replace(subject.straight, steps=(first, lopsided, *others)),
-            chart,
+            subject.form,
             input_names(subject.kernel.quantity),
         )

@@ -19,7 +19,7 @@ from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Program
 from mechproof.record import Chart, Form
 from mechproof.roundoff.running import Values, run
-from mechproof.roundoff.symmetry import ODD, list_parities
+from mechproof.roundoff.symmetry import ODD, list_negated
 
 TURNS, PI = sp.Symbol("turns"), CONSTANTS[sp.pi]
 Signs = frozenset[str]
@@ -53,12 +53,8 @@ def find_membership(form: Form, names: Mapping[sp.Basic, str]) -> ChartMembershi
 
 def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
     yield frozenset()
-    for mirror in form.mirrors:
-        yield frozenset(names[symbol] for symbol in mirror)
-    for chart in form.charts:
-        if chart.angle is not None:
-            parities = list_parities(chart, chart.angle, names)
-            yield frozenset(name for name, parity in parities if parity == ODD)
+    for given in list_negated(form, names):
+        yield frozenset(name for name, parity in given.items() if parity == ODD)
 
 
 def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:

@@ -44,7 +44,7 @@ from mechproof.roundoff.steps import (
     flatten_stage,
     keep_needed,
 )
-from mechproof.roundoff.symmetry import check_mirror, check_symmetry
+from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.term_sums import SEARCHED, TermSum, take_sum
 from mechproof.roundoff.written_scales import WrittenScale, write_scale
 
@@ -264,7 +264,7 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
             continue
         scale = write_scale(kernel.quantity, form, stage, paper)
         straight = find_compensated(flatten_stage(stage, IN_NUMPY))
-        _check_signs(straight, kernel, form)
+        check_signs(straight, form, input_names(kernel.quantity))
         affine = _find_map(kernel.quantity, stage, straight)
         whole = affine.apply() if affine else straight
         # In exact arithmetic all branches are the same function. Where this one loses digits the
@@ -306,7 +306,7 @@ def _compile(
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(find_compensated(expanded))
     _check_functions(straight)
-    _check_signs(straight, kernel, form)
+    check_signs(straight, form, input_names(kernel.quantity))
     affine = _find_map(kernel.quantity, stage, straight)
     if affine:
         straight, points = affine.apply(), affine.points
@@ -337,14 +337,6 @@ def _check_functions(straight: StraightLineProgram) -> None:
             f"nothing is proved of {', '.join(sorted(assumed))} as it is compiled: "
             "leave out the charts"
         )
-
-
-def _check_signs(straight: StraightLineProgram, kernel: Kernel, form: Form) -> None:
-    names = input_names(kernel.quantity)
-    for chart in form.charts:
-        check_symmetry(straight, chart, names)
-    for mirror in form.mirrors:
-        check_mirror(straight, mirror, names)
 
 
 def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -> AffineMap | None:

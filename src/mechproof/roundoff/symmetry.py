@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
 
@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.program import CONSTANTS, Program
-from mechproof.record import Chart
+from mechproof.record import Chart, Form
 from mechproof.roundoff.running import run_steps
 from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
@@ -77,22 +77,25 @@ PARITIES = Arithmetic(
 )
 
 
-def check_symmetry(
-    straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
-) -> None:
-    """Require that negative angles are off as positive ones are; ValueError if not."""
-    if chart.angle is not None:
-        find_parities(straight, dict(list_parities(chart, chart.angle, names)))
+def check_signs(straight: StraightLineProgram, form: Form, names: Mapping[sp.Basic, str]) -> None:
+    """Require that what is negated in a form's domain turns no more than signs; ValueError if not.
+
+    Then negative angles are off as positive ones are.
+    """
+    for given in list_negated(form, names):
+        find_parities(straight, given)
 
 
-def check_mirror(
-    straight: StraightLineProgram, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
-) -> None:
-    """Require that arguments, all negated, turn no more than signs; ValueError if not."""
-    find_parities(straight, {n: ODD if s in mirror else EVEN for s, n in names.items()})
+def list_negated(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Mapping[str, Parity]]:
+    """List what becomes of arguments by each mirror, and by each angle that is negated."""
+    for mirror in form.mirrors:
+        yield {n: ODD if s in mirror else EVEN for s, n in names.items()}
+    for chart in form.charts:
+        if chart.angle is not None:
+            yield dict(_list_parities(chart, chart.angle, names))
 
 
-def list_parities(
+def _list_parities(
     chart: Chart, angle: sp.Symbol, names: Mapping[sp.Basic, str]
 ) -> Iterator[tuple[str, Parity]]:
     """List what an angle negated does to arguments; ValueError if that is neither."""
