@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -38,30 +38,21 @@ QUARTERS = 4
 # Beyond what an interval ends at, as a share of it.
 BEYOND = 1 + MARGIN / 2
 Series = Any
-# Sine and cosine of a rest and so many quarter turns.
-SINES: tuple[Callable[[Series], Series], ...] = (
-    lambda r: r.sin(),
-    lambda r: r.cos(),
-    lambda r: -r.sin(),
-    lambda r: -r.cos(),
-)
 
 
 def _sine(rest: Series, quarters: int) -> Series:
-    return SINES[quarters % QUARTERS](rest)
-
-
-def _cosine(rest: Series, quarters: int) -> Series:
-    return _sine(rest, quarters + 1)
+    """Return the sine of a rest and so many quarter turns, which is a cosine of fewer by one."""
+    value = rest.cos() if quarters % 2 else rest.sin()
+    return -value if quarters % QUARTERS > 1 else value
 
 
 # Of an angle: the two sides that are to be equal, for the program's last quotient.
 ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Series]]] = (
     MappingProxyType(
         {
-            "tan": lambda a, b, r, n: (a * _cosine(r, n), b * _sine(r, n)),
+            "tan": lambda a, b, r, n: (a * _sine(r, n + 1), b * _sine(r, n)),
             "sin": lambda a, b, r, n: (a, b * _sine(r, n)),
-            "cos": lambda a, b, r, n: (a, b * _cosine(r, n)),
+            "cos": lambda a, b, r, n: (a, b * _sine(r, n + 1)),
         }
     )
 )
@@ -201,21 +192,13 @@ def _put_on(bounds: Array, off: Array) -> Array:
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
-def _prove_quotient(kind: str) -> ErrorTable:
-    """Bound the arctangent of a quotient, its place that of the quotient."""
+def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
+    """Bound the arctangent of a quotient, or the angle of a point; the quotient is its place.
+
+    The sign turns with those of the first arguments.
+    """
     program = build(kind, DOUBLE).program
-    _check_signs(program, program.inputs)
-    return _tabulate_arcs(kind, (False,))
-
-
-def _prove_direction(kind: str) -> ErrorTable:
-    """Bound the angle of a point that is not the origin, its place that of the quotient."""
-    program = build(kind, DOUBLE).program
-    _check_signs(program, program.inputs[:1])
-    return _tabulate_arcs(kind, (False, True))
-
-
-def _tabulate_arcs(kind: str, behind: Sequence[bool]) -> ErrorTable:
+    _check_signs(program, program.inputs[:signs])
     edges = np.linspace(0.0, 1.0, PIECES + 1)
     flat, steep = (
         np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
@@ -277,8 +260,9 @@ def _prove_small(kind: str) -> ErrorTable:
 _PROVED: Mapping[str, Callable[[str], ErrorTable]] = MappingProxyType(
     {
         **dict.fromkeys(ANGLES, _prove_angle),
-        "arctan_quotient": _prove_quotient,
-        "arctan2": _prove_direction,
+        "arctan_quotient": partial(_prove_arc, 2, (False,)),
+        # Of a point that is not the origin.
+        "arctan2": partial(_prove_arc, 1, (False, True)),
         "small_arctan": _prove_small,
     }
 )
