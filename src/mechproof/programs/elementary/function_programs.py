@@ -142,33 +142,31 @@ class _Maker:
         """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
         return self.tangent_parts(y)[1]
 
-    def sine_and_cosine(self, r: Value) -> tuple[Value, Value]:
-        """Return both of an angle of at most pi/4."""
+    def waves(self, y: Value) -> tuple[Value, ...]:
+        """Return quarter turns, half of them, if these are even; sine and cosine of the rest."""
+        n, r = self.reduce(y)
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
         z = r * r
         sine = multiply_add(r * z, polynomial(z, odd.above), r)
-        half = z * 0.5
+        bend = z * 0.5
         # What the rounding of 1 - z/2 takes is added again, as by FreeBSD's library.
-        near = 1.0 - half
-        cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - half)
-        return sine, cosine
+        near = 1.0 - bend
+        cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - bend)
+        half = n * 0.5
+        return n, half, rint(half) == half, sine, cosine
 
     @_body(_far("sin"))
     def sin(self, y: Value) -> Value:
         """Return sin(y)."""
-        n, r = self.reduce(y)
-        sine, cosine = self.sine_and_cosine(r)
-        half = n * 0.5
-        return _turn(choose(rint(half) == half, sine, cosine), floor(half))
+        _, half, is_even, sine, cosine = self.waves(y)
+        return _turn(choose(is_even, sine, cosine), floor(half))
 
     @_body(_far("cos"))
     def cos(self, y: Value) -> Value:
         """Return cos(y)."""
-        n, r = self.reduce(y)
-        sine, cosine = self.sine_and_cosine(r)
-        half = n * 0.5
-        return _turn(choose(rint(half) == half, cosine, sine), floor((n + 1.0) * 0.5))
+        n, _, is_even, sine, cosine = self.waves(y)
+        return _turn(choose(is_even, cosine, sine), floor((n + 1.0) * 0.5))
 
     @_body()
     def arctan(self, y: Value) -> Value:
@@ -206,16 +204,18 @@ class _Maker:
 
     def arc(self, w: Value) -> Value:
         """Return atan(w) for 0 <= w <= 1."""
-        fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
-        z = w * w
-        return multiply_add(w * z, polynomial(z, fitted.above), w)
+        return self.near_itself(w, fits.ARCTANGENT, self.form.arctangent)
+
+    def near_itself(self, y: Value, target: Target, degree: int) -> Value:
+        """Return an odd function that is its argument for small ones."""
+        fitted = self.fit(target, degree)
+        z = y * y
+        return multiply_add(y * z, polynomial(z, fitted.above), y)
 
     @_body()
     def small_arctan(self, y: Value) -> Value:
         """Return atan(y) for |y| <= 1/sqrt(3)."""
-        fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
-        z = y * y
-        return multiply_add(y * z, polynomial(z, fitted.above), y)
+        return self.near_itself(y, fits.SMALL_ARCTANGENT, self.form.small_arctangent)
 
     @_body()
     def small_tangent(self, y: Value) -> Value:
