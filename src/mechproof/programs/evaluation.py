@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import reduce
-from typing import Any
 
 import sympy as sp
 
@@ -125,8 +124,27 @@ class Evaluation:
         return sorted(found, key=sp.default_sort_key)
 
     def rearrange(self, steps: Iterable[Step], output: sp.Basic) -> Evaluation:
-        """Take other steps and another output; what the output does not need is left out."""
-        return replace(self, **_arranged(steps, output))
+        """Take other steps and another output, which does without those it does not need.
+
+        The steps are ordered as the output needs them.
+        """
+        values: Mapping[sp.Symbol, sp.Expr] = dict(steps)
+        ordered: dict[sp.Symbol, sp.Expr] = {}
+        met: set[sp.Basic] = set()
+
+        def visit(node: sp.Basic) -> None:
+            if node in met:
+                return
+            met.add(node)
+            if node in values:
+                visit(values[node])
+                ordered[node] = values[node]
+            # SymPy's traversals take the arguments of Max and Min in the order of a set.
+            for argument in node.args:
+                visit(argument)
+
+        visit(output)
+        return replace(self, steps=tuple(ordered.items()), output=output)
 
 
 def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
@@ -184,27 +202,7 @@ def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evalua
 
 def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic) -> Evaluation:
     """Order the steps as the output needs them and leave out those it does not need."""
-    return Evaluation(inputs, **_arranged(steps, output))
-
-
-def _arranged(steps: Iterable[Step], output: sp.Basic) -> dict[str, Any]:
-    values: Mapping[sp.Symbol, sp.Expr] = dict(steps)
-    ordered: dict[sp.Symbol, sp.Expr] = {}
-    met: set[sp.Basic] = set()
-
-    def visit(node: sp.Basic) -> None:
-        if node in met:
-            return
-        met.add(node)
-        if node in values:
-            visit(values[node])
-            ordered[node] = values[node]
-        # SymPy's traversals take the arguments of Max and Min in the order of a set.
-        for argument in node.args:
-            visit(argument)
-
-    visit(output)
-    return {"steps": tuple(ordered.items()), "output": output}
+    return Evaluation(inputs, (), output).rearrange(steps, output)
 
 
 def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
@@ -234,31 +232,27 @@ def find_needed(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> se
     return found
 
 
-def find_carried(expression: sp.Expr, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
-    """Find the inputs whose NaN an expression has for certain.
-
-    Where the conditions of pieces are about NaN, none but the last holds; else one piece is taken.
-    """
-    return _find_carried(expression, values, {})
-
-
-def _find_carried(
+def find_carried(
     expression: sp.Expr,
     values: Mapping[sp.Basic, sp.Basic],
     known: dict[sp.Basic, set[sp.Basic]],
 ) -> set[sp.Basic]:
-    """Look into every step once: of Newton's each has the one before several times."""
+    """Find the inputs whose NaN an expression has for certain; of steps this is kept as `known`.
+
+    Where the conditions of pieces are about NaN, none but the last holds; else one piece is taken.
+    Every step is looked into once: of Newton's each has the one before several times.
+    """
     if isinstance(expression, sp.Piecewise):
         return _find_carried_by_pieces(expression, values, known)
     if isinstance(expression, sp.Pow) and not expression.exp.is_number:
         return set()
     if expression in values:
         if expression not in known:
-            known[expression] = _find_carried(values[expression], values, known)
+            known[expression] = find_carried(values[expression], values, known)
         return known[expression]
     if not expression.has(sp.Piecewise, sp.Pow, *values):
         return input_symbols(expression)
-    return set().union(*(_find_carried(part, values, known) for part in expression.args))
+    return set().union(*(find_carried(part, values, known) for part in expression.args))
 
 
 def _find_carried_by_pieces(
@@ -266,7 +260,7 @@ def _find_carried_by_pieces(
     values: Mapping[sp.Basic, sp.Basic],
     known: dict[sp.Basic, set[sp.Basic]],
 ) -> set[sp.Basic]:
-    carried = [_find_carried(piece, values, known) for piece, _ in pieces.args if piece != sp.nan]
+    carried = [find_carried(piece, values, known) for piece, _ in pieces.args if piece != sp.nan]
     always = set.intersection(*carried)
     if any(condition.has(sp.Ne) for _, condition in pieces.args):
         return always

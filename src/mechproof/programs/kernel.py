@@ -147,7 +147,9 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
     vectors = _name_vectors(quantity, used, affine)
-    scalars = _list_scalars(quantity, vectors)
+    parts = dict(vectors)
+    # What a condition may use: the arguments, vectors by their components.
+    scalars = tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
     if len(forms) > 1 and any(isinstance(s, sp.IndexedBase) for s in evaluations[0].inputs):
         raise ValueError(f"{name}: forms of sums over an axis cannot be chosen by a condition")
     code = KernelCode(
@@ -276,7 +278,7 @@ def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluatio
     steps = dict(evaluation.steps)
 
     def carry(entry: sp.Expr) -> sp.Expr:
-        carried = find_carried(entry, steps)
+        carried = find_carried(entry, steps, {})
         lost = trace_inputs(entry, steps) - carried - {*masked}
         alongside = [*sorted(lost, key=str), *(masked[-1:] if carried.isdisjoint(masked) else ())]
         return reduce(KeepsShape, alongside, entry)
@@ -297,14 +299,6 @@ def _name_vectors(
             names = tuple(f"{argument.name}[{i}]" for i in range(len(names)))
         vectors.append((argument.name, names))
     return tuple(vectors)
-
-
-def _list_scalars(
-    quantity: Quantity, vectors: tuple[tuple[str, tuple[str, ...]], ...]
-) -> tuple[str, ...]:
-    """List what a condition may use: the arguments, vectors by their components."""
-    parts = dict(vectors)
-    return tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
 
 
 def shape_of(argument: Argument, quantity: Quantity) -> str:
