@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from struct import pack, unpack
 from types import MappingProxyType
+from typing import Any
 
 from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.syntax import Syntax
@@ -50,6 +51,18 @@ def _name_function(spelling: Spelling) -> str:
     return f"_{spelling.name}" if isinstance(spelling, Support | AxisReduction) else str(spelling)
 
 
+def _change(syntax: Syntax, calls: Mapping[str, str], **more: Any) -> Syntax:
+    """Return a language with other functions besides, or in place of its own."""
+    return replace(syntax, calls=MappingProxyType({**syntax.calls, **calls}), **more)
+
+
+def _name_constants(
+    infinity: str, nan: str, write: Callable[[float], str] = repr
+) -> Mapping[str, str]:
+    written = {"#pi": write(math.pi), "#e": write(math.e)}
+    return MappingProxyType({**written, "#inf": infinity, "#nan": nan})
+
+
 NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})
 # In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
 # a module, which the runtime asks of fractions, they are not.
@@ -72,31 +85,16 @@ NUMBA = replace(
     number=_write_compiled,
     last=MappingProxyType({kind: EXACT for kind, (_, _, far) in BODIES.items() if far}),
 )
-NUMBA_FAR = replace(
-    NUMBA,
-    calls=MappingProxyType({**NUMBA.calls, **{name: f"_math.{name}" for name in _LIBRARY}}),
-    last=MappingProxyType({}),
-)
+NUMBA_FAR = _change(NUMBA, {name: f"_math.{name}" for name in _LIBRARY}, last={})
 C99 = replace(
     _spell({k: row.c for k, row in KINDS.items()}, HELPER),
     # Wherever an angle lies: loops over points alone know that all are near.
     last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
-    constants=MappingProxyType(
-        {
-            "#pi": repr(math.pi),
-            "#e": repr(math.e),
-            "#inf": "HUGE_VAL",
-            "#nan": "NAN",
-        }
-    ),
+    constants=_name_constants("HUGE_VAL", "NAN"),
     number=lambda number: repr(float(number)),
     name=spell_in_c,
 )
-C99_FAR = replace(
-    C99,
-    calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}),
-    last=MappingProxyType({}),
-)
+C99_FAR = _change(C99, {name: name for name in _LIBRARY}, last={})
 
 
 def _write_single(number: float) -> str:
@@ -110,24 +108,13 @@ _SINGLE = {
     for kind, name in C99.calls.items()
     if not name.startswith(HELPER) and name != "isfinite"
 }
-C99_SINGLE = replace(
+C99_SINGLE = _change(
     C99,
-    calls=MappingProxyType({**C99.calls, **_SINGLE}),
-    constants=MappingProxyType(
-        {
-            **C99.constants,
-            "#pi": _write_single(math.pi),
-            "#e": _write_single(math.e),
-            "#inf": "HUGE_VALF",
-        }
-    ),
+    _SINGLE,
+    constants=_name_constants("HUGE_VALF", "NAN", _write_single),
     number=_write_single,
 )
-C99_SINGLE_FAR = replace(
-    C99_SINGLE,
-    calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
-    last=MappingProxyType({}),
-)
+C99_SINGLE_FAR = _change(C99_SINGLE, {name: f"{name}f" for name in _LIBRARY}, last={})
 
 
 @dataclass(frozen=True)
@@ -163,8 +150,7 @@ def _script(
     """Return a language whose kinds without a spelling are functions beside the formula."""
     native = frozenset({*syntax.infix, *syntax.patterns, *syntax.calls, "copy"})
     lacking = {kind: f"{HELPER}{kind}" for kind in KINDS if kind not in native}
-    syntax = replace(syntax, calls=MappingProxyType({**syntax.calls, **lacking}))
-    return Script(name, syntax, suffix, native, MappingProxyType(helpers), **more)
+    return Script(name, _change(syntax, lacking), suffix, native, MappingProxyType(helpers), **more)
 
 
 # What variables of formulas begin with, beside those of the paper.
@@ -180,11 +166,6 @@ def _write_long_real(number: float) -> str:
     """Write a number of Structured Text, where one without a type may be taken for a REAL."""
     digits = repr(float(number))
     return digits if unpack("f", pack("f", number))[0] == number else f"LREAL#{digits}"
-
-
-def _name_constants(infinity: str, nan: str) -> Mapping[str, str]:
-    constants = {"#pi": repr(math.pi), "#e": repr(math.e), "#inf": infinity, "#nan": nan}
-    return MappingProxyType(constants)
 
 
 def _spell_python(row: Kind) -> Spelling | None:
