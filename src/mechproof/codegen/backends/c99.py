@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
-from mechproof.codegen.backends.numpy import render_template
+from mechproof.codegen.backends.numpy import render_template, tidy
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
@@ -48,6 +48,8 @@ from mechproof.programs.term_loops import LOOPS, fold_sums
 from mechproof.record import OnePass, Paper
 
 WIDTH = 90
+# What a blank line may follow.
+ENDS = ("}", "*/", ");")
 ACCURACY = {
     False: "Accuracy is the bound of the error that the tests hold; eps = 2**-52. What the help of "
     "the NumPy kernels says is proved of compiled kernels is proved of these: without contractions "
@@ -191,8 +193,8 @@ def render_c_kernels(
         "split": write_program(write_plainly("fma"), language),
     }
     return {
-        f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),
-        f"{file}.c": _tidy(_render_source(source, form, language, far)),
+        f"{file}.h": tidy(render_template("c_header.h.jinja", header), ENDS),
+        f"{file}.c": tidy(_render_source(source, form, language, far), ENDS),
     }
 
 
@@ -240,15 +242,6 @@ def _write_together(
         return several
     text = _write(join_kernels(together.name, members), *how)
     return replace(text, summary=several.summary, members=several.members)
-
-
-def _tidy(text: str) -> str:
-    """Leave no blank lines but single ones after what ends."""
-    lines = [""]
-    for line in map(str.rstrip, text.splitlines()):
-        if line or lines[-1].endswith(("}", "*/", ");")):
-            lines.append(line)
-    return "\n".join(lines).strip() + "\n"
 
 
 LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)

@@ -27,12 +27,12 @@ from mechproof.codegen.languages import NUMPY, NUMPY_BODY
 from mechproof.codegen.shared_functions import list_suffixes, name_functions
 from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.argument_conditions import checked_relations
-from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import input_symbols
 from mechproof.programs.kernel import Kernel, input_names, list_functions
 from mechproof.programs.lowering import lower_conditions
 from mechproof.programs.operations import KINDS, AxisReduction, Support
-from mechproof.programs.program import Program
+from mechproof.programs.program import NOTHING
 from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.step_names import list_imports
 from mechproof.record import Form, Paper, Toleranced
@@ -175,29 +175,14 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
                 form,
                 operations,
                 suffix,
-                _write_condition(stage.when),
+                "".join(write_program(stage.when or NOTHING, NUMPY_BODY).outputs),
                 stage,
                 write_program(stage.prepare, NUMPY_BODY),
-                write_program(stage.evaluate, NUMPY_BODY)
-                if stage.evaluate
-                else ProgramText((), ()),
+                write_program(stage.evaluate or NOTHING, NUMPY_BODY),
             )
         )
-    return KernelText(kernel, docstring, _list_conditions(code), tuple(stages))
-
-
-def _list_conditions(code: KernelCode) -> tuple[str, ...]:
-    """Write what must hold of a kernel's arguments."""
-    if code.inside is None:
-        return ()
-    return write_program(split_conditions(code.inside), NUMPY_BODY).outputs
-
-
-def _write_condition(program: Program | None) -> str:
-    if program is None:
-        return ""
-    (text,) = write_program(program, NUMPY_BODY).outputs
-    return text
+    inside = split_conditions(code.inside) if code.inside else NOTHING
+    return KernelText(kernel, docstring, write_program(inside, NUMPY_BODY).outputs, tuple(stages))
 
 
 def render_init(text: str) -> str:
@@ -230,6 +215,15 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
     environment.filters.update(ESCAPES)
     asked = meta.find_undeclared_variables(environment.parse(text))
     return asked, environment.from_string(text)
+
+
+def tidy(text: str, after: tuple[str, ...] = ("",)) -> str:
+    """Leave no blanks at the ends of lines, and single blank lines after what ends so."""
+    lines = [""]
+    for line in map(str.rstrip, text.splitlines()):
+        if line or (lines[-1] and lines[-1].endswith(after)):
+            lines.append(line)
+    return "\n".join(lines).strip() + "\n"
 
 
 def format_source(source: str, name: str = "kernel.py") -> str:

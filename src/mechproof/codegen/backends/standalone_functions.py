@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from mechproof.codegen.backends.numpy import format_source, render_template
+from mechproof.codegen.backends.numpy import format_source, render_template, tidy
 from mechproof.codegen.backends.scalar_texts import BOOLEAN, ScalarKernel, write_scalar
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.languages import ARRAY, FORM, RESULT, SCRIPTS, STRUCTURED_TEXT_WORDS, Script
@@ -92,7 +92,7 @@ def _render(texts: Sequence[FormulaText], script: Script, paper: Paper) -> str:
     data |= {"result": RESULT, "form": FORM} if script.takes_arrays else {}
     texts_beside = [script.helpers[name] for name in written]
     text = "\n".join([render_template(script.template, data), *texts_beside])
-    return format_source(text) if script.suffix == ".py" else _tidy(text)
+    return format_source(text) if script.suffix == ".py" else tidy(text)
 
 
 def _write(kernel: Kernel, paper: Paper, script: Script) -> FormulaText:
@@ -297,12 +297,3 @@ def describe_formula(kernel: Kernel, paper: Paper) -> Iterable[str]:
             "digits are those of its own functions."
         )
     yield from fill(f"Source: {quantity.source}.")
-
-
-def _tidy(text: str) -> str:
-    """Leave no blanks at the ends of lines, and no more than one blank line."""
-    lines: list[str] = []
-    for line in map(str.rstrip, text.splitlines()):
-        if line or (lines and lines[-1]):
-            lines.append(line)
-    return "\n".join(lines).strip() + "\n"
