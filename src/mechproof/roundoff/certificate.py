@@ -12,7 +12,7 @@ import json
 import math
 import zlib
 from base64 import b64decode, b64encode
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -178,7 +178,7 @@ def holds(
     if not (0 <= off.eps <= most and 0 <= claim.found <= most):
         return False
     # Functions of NumPy differ between hosts, plain arithmetic does not.
-    if subject.assumptions == (NORMAL,) and claim.found != _round_down(off.eps):
+    if subject.assumptions == (NORMAL,) and claim.found != _round(off.eps, math.floor):
         return False
     bounds = [(one.proved, one.boxes, one.open, one.cuts) for one in shown]
     if (claim.proved, claim.boxes, claim.open, claim.cuts) in bounds:
@@ -216,13 +216,8 @@ def _list_regions(subject: ComputedStage) -> Iterator[ChartRegion]:
         yield from list_regions(chart)
 
 
-def _round_down(eps: float) -> float:
-    cut: float = math.floor(eps * 10**DIGITS) / 10**DIGITS
-    return cut
-
-
-def _round_up(eps: float) -> float:
-    cut: float = math.ceil(eps * 10**DIGITS) / 10**DIGITS
+def _round(eps: float, to: Callable[[float], int]) -> float:
+    cut: float = to(eps * 10**DIGITS) / 10**DIGITS
     return cut
 
 
@@ -271,7 +266,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     proved = _lower_bound(subject, max(least, 0.0))
     covers = cover_all(subject, proved, _limit(subject))
     if not _tell_open(covers):
-        proved = min(proved, _round_up(max(cover.worst[0][0] for _, cover in covers)))
+        proved = min(proved, _round(max(cover.worst[0][0] for _, cover in covers), math.ceil))
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
     if worst.eps > proved + subject.more:
         at = {name: value.hex() for name, value in worst.at.items()}
@@ -284,7 +279,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
         where=subject.where,
         proved=proved,
         each=subject.each,
-        found=_round_down(worst.eps),
+        found=_round(worst.eps, math.floor),
         at={name: float(value).hex() for name, value in worst.at.items()},
         boxes=_count(covers),
         open=_tell_open(covers),
