@@ -13,9 +13,8 @@ from types import MappingProxyType
 from typing import Any
 
 from mechproof.codegen.condition_outputs import join_conditions
-from mechproof.codegen.shared_functions import CHECK, list_suffixes, name_functions
 from mechproof.codegen.source_reading import SourceError, compare, read_functions
-from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.code import CHECK, KernelCode, Stage, list_suffixes, name_functions
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show

@@ -24,10 +24,9 @@ from mechproof.codegen.docstrings import (
 from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.languages import NUMPY, NUMPY_BODY
-from mechproof.codegen.shared_functions import list_suffixes, name_functions
 from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.argument_conditions import checked_relations
-from mechproof.programs.code import Stage
+from mechproof.programs.code import Stage, list_suffixes, name_functions
 from mechproof.programs.evaluation import input_symbols
 from mechproof.programs.kernel import Kernel, input_names, list_functions
 from mechproof.programs.lowering import lower_conditions
