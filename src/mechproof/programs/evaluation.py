@@ -118,6 +118,10 @@ class Evaluation:
         """Apply `convert` to the parts that are meant, inner ones first, and add `steps`."""
         return self.transform(lambda value: value.replace(is_meant, convert), steps)
 
+    def convert_output(self, convert: Callable[[sp.Expr], sp.Expr]) -> Evaluation:
+        """Apply `convert` to every entry of the output."""
+        return self.rearrange(self.steps, map_entries(convert, self.output))
+
     def list_angles(self, *functions: type[sp.Function]) -> list[sp.Expr]:
         """List what functions are taken of, in SymPy's order."""
         found = {node.args[0] for e in self.expressions() for node in e.atoms(*functions)}
@@ -167,8 +171,8 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
     idle = [a for a in quantity.arguments if used.isdisjoint(a.symbols)]
     if idle and form not in quantity.rivals:
         raise ValueError(f"{where}: arguments that do not occur: {[a.name for a in idle]}")
-    solved = _solve(evaluation)
-    return _carry_along(solved, [s for argument in idle for s in argument.symbols])
+    alongside = [s for argument in idle for s in argument.symbols]
+    return _solve(evaluation).convert_output(lambda entry: reduce(KeepsShape, alongside, entry))
 
 
 def _solve(evaluation: Evaluation) -> Evaluation:
@@ -191,13 +195,6 @@ def _solve(evaluation: Evaluation) -> Evaluation:
 def _write_out(entry: sp.Expr) -> sp.Expr:
     """Write out steps, and sums but those over arguments."""
     return write_sums_out(write_steps(sp.sympify(entry)), lambda total: not total.has(sp.Indexed))
-
-
-def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evaluation:
-    def add(entry: sp.Expr) -> sp.Expr:
-        return reduce(KeepsShape, symbols, entry)
-
-    return evaluation.rearrange(evaluation.steps, map_entries(add, evaluation.output))
 
 
 def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic) -> Evaluation:

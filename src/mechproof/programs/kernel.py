@@ -24,7 +24,6 @@ from mechproof.programs.evaluation import (
     entries,
     find_carried,
     input_symbols,
-    map_entries,
     result_shape,
     start_evaluation,
     trace_inputs,
@@ -283,7 +282,7 @@ def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluatio
         alongside = [*sorted(lost, key=str), *(masked[-1:] if carried.isdisjoint(masked) else ())]
         return reduce(KeepsShape, alongside, entry)
 
-    return evaluation.rearrange(evaluation.steps, map_entries(carry, evaluation.output))
+    return evaluation.convert_output(carry)
 
 
 def _name_vectors(

@@ -57,7 +57,7 @@ class Factors:
             if base.is_Add and _reads_better_negated(base, sign * result, power):
                 base, sign = sp.expand(-base), sign * (-1) ** power
             converted = convert(base) if base.is_Add else base
-            if converted.is_Add and all(t.could_extract_minus_sign() for t in converted.args):
+            if is_negative_sum(converted):
                 converted, sign = -converted, sign * (-1) ** power
             result *= converted**power
         return sign * abs(number) * result
@@ -76,6 +76,11 @@ def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
         return bool(number < 0)
     signs = {term.could_extract_minus_sign() for term in base.args}
     return len(signs) == 2 and power % 2 == 1 and product.could_extract_minus_sign()
+
+
+def is_negative_sum(node: sp.Basic) -> bool:
+    """Tell whether a node is a sum of which all terms have a minus sign."""
+    return is_sum(node) and all(term.could_extract_minus_sign() for term in node.args)
 
 
 def is_sum(node: sp.Basic) -> bool:

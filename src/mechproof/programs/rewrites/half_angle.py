@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.arithmetic.polynomials import cancel
 from mechproof.programs.evaluation import Evaluation, Step
-from mechproof.programs.rewrites.factored_sums import Factors
+from mechproof.programs.rewrites.factored_sums import Factors, is_negative_sum
 from mechproof.programs.rewrites.low_word import low_part
 from mechproof.programs.rounding_functions import SmallArctan, SmallTangent, TangentQuotient
 from mechproof.programs.step_names import suggest_name
@@ -71,11 +71,7 @@ def _to_tangent(
         converted = (_to_tangent(a, angle, opposite, adjacent, factors) for a in expression.args)
         return expression.func(*converted)
     above, below = (factors.by_powers(p, *sides) for p in cancel(inner))
-    return -above / -below if _is_negative_sum(below) else above / below
-
-
-def _is_negative_sum(expression: sp.Expr) -> bool:
-    return expression.is_Add and all(t.could_extract_minus_sign() for t in expression.args)
+    return -above / -below if is_negative_sum(below) else above / below
 
 
 def small_arc(evaluation: Evaluation) -> Evaluation:
