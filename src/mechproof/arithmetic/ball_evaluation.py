@@ -99,14 +99,6 @@ def _evaluate_complex(node: sp.Basic, values: Values, *arguments: Ball) -> Ball:
     return function(*arguments, bool(values.get(_ANALYTIC, False)))
 
 
-def _add(node: sp.Basic) -> Plan:
-    return (lambda values, *terms: reduce(operator.add, terms)), node.args
-
-
-def _multiply(node: sp.Basic) -> Plan:
-    return (lambda values, *factors: reduce(operator.mul, factors)), node.args
-
-
 def _power(node: sp.Basic) -> Plan:
     exponent = node.args[1]
     if isinstance(exponent, sp.Integer):
@@ -241,8 +233,8 @@ def _run(expression: sp.Basic, values: Values) -> Ball:
 _WITHOUT_BALL = (sp.AccumBounds, NthDerivative)
 _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
     *((kind, lambda node: ((lambda values: NOT_FINITE), ())) for kind in _WITHOUT_BALL),
-    (sp.Add, _add),
-    (sp.Mul, _multiply),
+    (sp.Add, lambda node: ((lambda values, *terms: reduce(operator.add, terms)), node.args)),
+    (sp.Mul, lambda node: ((lambda values, *factors: reduce(operator.mul, factors)), node.args)),
     (sp.Pow, _power),
     (sp.Sum, _repeat),
     (sp.Product, _repeat),

@@ -71,9 +71,10 @@ COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.sign: lambda z, analytic: z.real_sgn(analytic),
     sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),
     sp.log: lambda z, analytic: z.log(analytic),
-    sp.atan: lambda z, analytic: z.atan() if _within_strip(z, analytic) else NOT_ANALYTIC,
-    sp.asin: lambda z, analytic: z.asin() if _within_slit(z, analytic) else NOT_ANALYTIC,
-    sp.acos: lambda z, analytic: z.acos() if _within_slit(z, analytic) else NOT_ANALYTIC,
+    # Off their cuts.
+    sp.atan: lambda z, analytic: z.atan() if not analytic or abs(z.imag) < 1 else NOT_ANALYTIC,
+    sp.asin: lambda z, analytic: z.asin() if not analytic or abs(z.real) < 1 else NOT_ANALYTIC,
+    sp.acos: lambda z, analytic: z.acos() if not analytic or abs(z.real) < 1 else NOT_ANALYTIC,
 }
 
 
@@ -112,16 +113,6 @@ def _step(x: Ball, at_zero: Ball) -> Ball:
     if x == 0:
         return at_zero
     return NOT_FINITE if x.contains(0) else arb(int(x > 0))
-
-
-def _within_strip(ball: Ball, analytic: bool) -> bool:
-    """Tell whether a ball is off the cuts of the arctangent."""
-    return not analytic or bool(abs(ball.imag) < 1)
-
-
-def _within_slit(ball: Ball, analytic: bool) -> bool:
-    """Tell whether a ball is off the cuts of arcsine and arccosine."""
-    return not analytic or bool(abs(ball.real) < 1)
 
 
 def take_real_part(ball: Ball) -> Ball:

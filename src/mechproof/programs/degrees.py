@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.program import Operand
@@ -47,10 +46,9 @@ def _take_plain(*degrees: Degree) -> Degree:
     return NONE
 
 
-def _number(value: Any) -> Degree:
-    return NONE
-
-
 DEGREES = Arithmetic(
-    {**{k: _take_plain for k, row in KINDS.items() if row.sympy is not None}, "number": _number}
+    {
+        **{k: _take_plain for k, row in KINDS.items() if row.sympy is not None},
+        "number": lambda number: NONE,
+    }
 )

@@ -155,10 +155,6 @@ def _take_multiple_off(on: Arithmetic, a: Any, b: Any) -> Any:
     return a - b * on.sign(quotient) * on.floor(on.absolute(quotient))
 
 
-def _sinc(on: Arithmetic, a: Any) -> Any:
-    return on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a)
-
-
 def _function(name: str, sympy: Callable[..., sp.Basic], short: str, fpcore: str = "") -> Kind:
     """Return a function that libraries have and that is compiled from arithmetic."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}",
@@ -305,7 +301,9 @@ _ROWS = (
     Kind("cbrt", LIBRARY, sp.cbrt, None, "_np.cbrt", "_np.cbrt", "cbrt",
          javascript="Math.cbrt", array_api=Pattern("{} ** (1 / 3)", ATOM, POWER)),
     Kind("mod", NEAREST, sp.Mod, None, "_np.mod", octave="mod", array_api="xp.remainder"),
-    Kind("sinc", LIBRARY, sp.sinc, _sinc, Support("functions", "sinc")),
+    Kind("sinc", LIBRARY, sp.sinc,
+         lambda on, a: on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a),
+         Support("functions", "sinc")),
     # What is computed by others.
     _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),
     _composed("csc", sp.csc, lambda on, a: on.number(1) / on.sin(a)),
