@@ -9,8 +9,8 @@ import numpy as np
 from mechproof.arithmetic.intervals import EPS, ONE, Interval, careful
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.endpoint_rounding import AT_ENDPOINTS
-from mechproof.roundoff.fused import fma
 from mechproof.roundoff.interval_monomials import BoxVariables
+from mechproof.roundoff.running import fma
 from mechproof.roundoff.steps import Step, StraightLineProgram
 
 

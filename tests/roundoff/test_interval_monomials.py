@@ -168,7 +168,7 @@ def test_a_pole_within_a_box_has_no_finite_value() -> None:
 
 def test_the_root_of_a_square_is_never_negative() -> None:
     variables = BoxVariables([side_between(-3.0, -2.0)], [False])
-    root, _ = RULES["sqrt"](None, variables.variable(0).squared())
+    root, _ = RULES["sqrt"](None, variables.variable(0).power(2))
     assert root.expanded().low[0] == pytest.approx(2.0)
 
 

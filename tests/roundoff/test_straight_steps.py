@@ -9,8 +9,8 @@ import pytest
 
 from mechproof.arithmetic.intervals import Interval, careful
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.compensation import find_scaled
 from mechproof.roundoff.elementary_errors import prove
-from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.steps import Step, StraightLineProgram
 from mechproof.roundoff.symmetry import ODD, find_parities

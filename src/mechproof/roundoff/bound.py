@@ -255,7 +255,7 @@ class ErrorAnalysis:
         small = self.turn.share(angle) if self.turn else angle
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
-        self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
+        self._add(step, exact, (self._one + exact.power(2),), off, None, value.expanded())
 
     def _are_exact(self, step: Step, given: Sequence[IntervalMonomial]) -> Mask:
         """Say where two doubles differ by at most a factor of two: their difference is exact."""

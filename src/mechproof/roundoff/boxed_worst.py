@@ -72,17 +72,14 @@ def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
         return -1.0
     with working_precision(BITS):
         values = run_steps(program.straight, {n: to_ball(v) for n, v in at.items()}, IN_BALLS)
-        if any(value != 0 and value.abs_upper() < LEAST_NORMAL for value in _list_balls(values)):
+        balls = (value for value in values.values() if isinstance(value, arb))
+        if any(ball != 0 and ball.abs_upper() < LEAST_NORMAL for ball in balls):
             return -1.0
         exact = look_up(values, program.straight.outputs[0], IN_BALLS)
         error = abs(arb(float(found)) - exact)
         error = error / abs(exact) if program.convention.relative else error
         # The lower end: as much it is for certain.
         return float(error.lower()) if error.is_finite() else -1.0
-
-
-def _list_balls(values: Mapping[str, Any]) -> Iterator[arb]:
-    return (value for value in values.values() if isinstance(value, arb))
 
 
 def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:

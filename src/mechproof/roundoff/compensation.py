@@ -9,6 +9,10 @@ they are.
 Nor are factors that are powers of two rounded: 2*a*b and 2*(a*b) are the same double in the normal
 range. Taken after products and quotients, what is rounded is the product of a and b, and a rest of
 it is seen to be its own.
+
+Nobody knows by which factor both parts of a tangent are scaled: no output may have it. Degrees are
+inferred as the dimensions of physical quantities are (Kennedy 1996): what has none is the same
+whatever the factor.
 """
 
 from __future__ import annotations
@@ -21,7 +25,7 @@ from functools import cache
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import cancel
-from mechproof.programs.degrees import DEGREES, Degree
+from mechproof.programs.degrees import DEGREES, NONE, Degree
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.steps import (
@@ -186,3 +190,21 @@ class _Mover:
             name = self._written[base, exponent] = f"{base} * 2**{exponent}"
             self._steps.append(Step(name, "multiply", (2.0**exponent, base), EXACT))
         return self._written[base, exponent]
+
+
+def find_scaled(straight: StraightLineProgram) -> StraightLineProgram:
+    """Return the steps with what is scaled told; ValueError where an output depends on a scale."""
+    known: dict[Operand, Degree] = {}
+    for step in straight.steps:
+        given = [known.get(operand, NONE) for operand in step.operands]
+        if step.scaled:
+            known[step.result] = Degree({step.scaled: 1})
+        elif any(degree.powers for degree in given):
+            try:
+                known[step.result] = DEGREES[step.kind](*given)
+            except (KeyError, ValueError) as error:
+                raise ValueError(f"{step.result}: {step.kind} of what is scaled") from error
+    scaled = tuple(str(result) for result, degree in known.items() if degree.powers)
+    if any(output in scaled for output in straight.outputs):
+        raise ValueError("an output is scaled")
+    return replace(straight, scaled=scaled)

@@ -27,10 +27,9 @@ from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.branches import Branch, list_branches
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
-from mechproof.roundoff.compensation import find_compensated
+from mechproof.roundoff.compensation import find_compensated, find_scaled
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary_errors import prove
-from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.interval_monomials import bound_in_groups
 from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS, TERMS
 from mechproof.roundoff.regions import ChartRegion, add_up, express

@@ -23,8 +23,8 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import build
 from mechproof.programs.program import Program
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.compensation import find_scaled
 from mechproof.roundoff.error_tables import ErrorTable, find_highest
-from mechproof.roundoff.homogeneity import find_scaled
 from mechproof.roundoff.interval_monomials import BoxVariables, Rows, split_cases
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run

@@ -14,7 +14,7 @@ import numpy as np
 
 from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, Mask, list_corners
 from mechproof.kernel_support.error_free import product_rest
-from mechproof.roundoff.fused import add_exactly, fma
+from mechproof.roundoff.running import add_exactly, fma
 from mechproof.roundoff.steps import list_factors
 
 # Of a power of two: less than a quarter of the spacing below it.
@@ -39,10 +39,6 @@ def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> RoundedEndpoint
 
 def _add(a: Interval, b: Interval) -> RoundedEndpoints:
     return _outward(add_exactly(a.low, b.low), add_exactly(a.high, b.high))
-
-
-def _subtract(a: Interval, b: Interval) -> RoundedEndpoints:
-    return _add(a, -b)
 
 
 def _corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]]:
@@ -96,7 +92,7 @@ def _fused_rest(x: Ends, y: Ends, end: Ends) -> tuple[Ends, Ends]:
 AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
     {
         "add": _add,
-        "subtract": _subtract,
+        "subtract": lambda a, b: _add(a, -b),
         "multiply": _multiply,
         "square": _square,
         "fma": _fuse,

@@ -211,12 +211,12 @@ class IntervalMonomial:
         """Return the monomial times an interval."""
         return IntervalMonomial(self.variables, self.span * span, self.powers)
 
-    def squared(self) -> IntervalMonomial:
-        """Return the square, which is never negative."""
+    def power(self, exponent: int) -> IntervalMonomial:
+        """Return a whole power; an even one is never negative."""
         powers = self.powers
         if powers is not self.variables.none:
-            powers = tuple([2 * p for p in powers])
-        return IntervalMonomial(self.variables, self.span.power(2), powers)
+            powers = tuple([exponent * p for p in powers])
+        return IntervalMonomial(self.variables, self.span.power(exponent), powers)
 
     @property
     def is_wide(self) -> Mask:

@@ -20,8 +20,8 @@ from mechproof.arithmetic.intervals import ONE, PI, Interval, enclose_ball, exac
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
-from mechproof.roundoff.fused import add_exactly
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
+from mechproof.roundoff.running import add_exactly
 from mechproof.roundoff.steps import EXACT, StraightLineProgram
 
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
@@ -117,7 +117,7 @@ def express(
         express(part, variables, monomials) for part in value.args
     ]
     if value.is_Pow:
-        return _raise(parts[0], int(value.args[1]))
+        return parts[0].power(int(value.args[1]))
     if not (value.is_Add or value.is_Mul):
         raise ValueError(f"chart: {value} is no polynomial of its coordinates")
     total = parts[0]
@@ -140,12 +140,6 @@ def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonom
         np.where(below == 0, low, total.span.low), np.where(above == 0, high, total.span.high)
     )
     return IntervalMonomial(total.variables, span, total.powers)
-
-
-def _raise(monomial: IntervalMonomial, power: int) -> IntervalMonomial:
-    return IntervalMonomial(
-        monomial.variables, monomial.span.power(power), tuple([power * p for p in monomial.powers])
-    )
 
 
 def list_regions(chart: Chart) -> Iterator[ChartRegion]:

@@ -68,7 +68,7 @@ def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
 
 
 def _hypot(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
-    root, _ = _sqrt(turn, a.squared() + b.squared())
+    root, _ = _sqrt(turn, a.power(2) + b.power(2))
     return root, (a / root, b / root)
 
 
@@ -126,11 +126,11 @@ def _choose(
 
 def _tan(turn: Turn | None, a: IntervalMonomial) -> Moved:
     tangent = take_tangent(a, turn)
-    return tangent, (_one(tangent) + tangent.squared(),)
+    return tangent, (_one(tangent) + tangent.power(2),)
 
 
 def _arctan2(turn: Turn | None, y: IntervalMonomial, x: IntervalMonomial) -> Moved:
-    square = x.squared() + y.squared()
+    square = x.power(2) + y.power(2)
     return take_angle(y, x), (x / square, -(y / square))
 
 
@@ -147,7 +147,7 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "divide": _divide,
         "fma": lambda turn, a, b, c: (a * b + c, (b, a, _one(a))),
         "negate": lambda turn, a: (-a, (-_one(a),)),
-        "square": lambda turn, a: (a.squared(), (a.scaled(exactly(2.0)),)),
+        "square": lambda turn, a: (a.power(2), (a.scaled(exactly(2.0)),)),
         "sqrt": _sqrt,
         "hypot": _hypot,
         "absolute": _absolute,
@@ -162,7 +162,7 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "sin": lambda turn, a: (take_sine(a, turn), (take_cosine(a, turn),)),
         "cos": lambda turn, a: (take_cosine(a, turn), (-take_sine(a, turn),)),
         "tan": _tan,
-        "arctan": lambda turn, a: (take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)),
+        "arctan": lambda turn, a: (take_arctangent(a), (_one(a) / (_one(a) + a.power(2)),)),
         "arctan2": _arctan2,
         "exp": _exp,
         "log": lambda turn, a: (a.variables.constant(logarithm(a.expanded())), (_one(a) / a,)),

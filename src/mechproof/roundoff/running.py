@@ -1,4 +1,7 @@
-"""Running: steps in doubles as they are computed, and without any rounding in balls."""
+"""Running: steps in doubles as they are computed, and without any rounding in balls.
+
+An fma is emulated on every machine by sums rounded to odd (Boldo and Melquiond 2008).
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,6 @@ from mechproof.kernel_support import error_free
 from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.programs.program import CONSTANTS, Operand, Program
-from mechproof.roundoff.fused import fma
 from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
 Values = dict[str, Any]
@@ -31,6 +33,36 @@ def find_number(operand: Operand) -> Any:
     if not isinstance(operand, str):
         return operand
     return CONSTANTS[operand] if operand in CONSTANTS else Fraction(operand)
+
+
+def fma(a: Any, b: Any, c: Any) -> Any:
+    """Return a*b + c rounded once, where no part leaves the normal range.
+
+    By a sum that is rounded to odd (Boldo and Melquiond 2008).
+    """
+    product = a * b
+    low, lowest = add_exactly(c, error_free.product_rest(a, b, product))
+    high, middle = add_exactly(product, low)
+    fused = high + add_to_odd(middle, lowest)
+    # The rests of infinities are NaN, where the plain sum is right.
+    return np.where(np.isfinite(fused), fused, product + c)
+
+
+def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
+    """Return the rounded sum and what rounding took from it."""
+    # Knuth's sum (1969), which does not ask which of both is larger.
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def add_to_odd(a: Any, b: Any) -> Any:
+    """Return the sum, of its two neighbours that with an odd last bit if it is no double."""
+    total, rest = add_exactly(a, b)
+    bits = np.asarray(total).view(np.int64)
+    outward = np.where((rest > 0) == (total > 0), 1, -1)
+    moved = (rest != 0) & (bits & 1 == 0)
+    return np.where(moved, (bits + outward).view(np.float64), total)
 
 
 # What NumPy has functions of, in any format.

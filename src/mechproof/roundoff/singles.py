@@ -19,8 +19,7 @@ from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.scalar import list_arguments, list_stages, name_domain
 from mechproof.programs.term_loops import ADDED, fold_sums
 from mechproof.roundoff.climb import Column, Points
-from mechproof.roundoff.fused import add_to_odd
-from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run
+from mechproof.roundoff.running import IN_DOUBLES, Values, add_to_odd, find_number, run
 from mechproof.roundoff.steps import CONSTANT, flatten_stage
 from mechproof.roundoff.term_sums import run_loop
 

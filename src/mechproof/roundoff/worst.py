@@ -6,7 +6,7 @@ Long doubles lead the search, a thousand times as fast. Nothing counts that no c
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +18,7 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.cover import Box
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
-from mechproof.roundoff.climb import Points as Columns, Schedule, climb_and_judge
+from mechproof.roundoff.climb import Measure, Schedule, climb_and_judge
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.regions import ChartRegion
@@ -58,14 +58,11 @@ def _climb(
     names = tuple(drawn[0])
     start = tuple(np.concatenate([points[name] for points in drawn]) for name in names)
 
-    def judge_columns(columns: Columns) -> Array:
-        return judge(subject, dict(zip(names, columns, strict=True)))
+    def take(measure: Callable[[ComputedStage, Points], Array]) -> Measure:
+        return lambda columns: measure(subject, dict(zip(names, columns, strict=True)))
 
-    def estimate_columns(columns: Columns) -> Array:
-        return estimate(subject, dict(zip(names, columns, strict=True)))
-
-    leading = estimate_columns if IS_LONGER else None
-    found = climb_and_judge(judge_columns, leading, start, BY_LONG_DOUBLES, ROUNDS, rng)
+    leading = take(estimate) if IS_LONGER else None
+    found = climb_and_judge(take(judge), leading, start, BY_LONG_DOUBLES, ROUNDS, rng)
     point, eps = found.worst
     return WorstRounding(eps, dict(zip(names, map(float, point), strict=True)))
 
