@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
 from types import MappingProxyType
+from typing import TypeGuard
 
-from mechproof.programs.program import Operand, Operation, Program
+from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.steps import Step, StraightLineProgram, keep_needed, make_step
 
 # An angle less its quarter turns.
@@ -77,134 +78,120 @@ class Resolved:
 
 def resolve(program: Program, case: Case) -> Resolved:
     """Return the steps of a program in a case; ValueError for what no rule decides."""
-    return _Resolver(program, case).resolve()
+    return _Resolver(program, case).resolve(program)
+
+
+@dataclass(frozen=True)
+class _Signed:
+    """What has the sign of an argument, and no other size than a number."""
+
+    size: float
+    sign: Operand
+
+
+# Of a result: a decision, an angle less its number times words, or what stands for it.
+_Known = Whole | bool | tuple[float, ...] | _Signed | Operand
+
+
+def _is_number(value: _Known) -> TypeGuard[float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 class _Resolver:
     def __init__(self, program: Program, case: Case) -> None:
-        self._program, self._case = program, case
-        self._facts: dict[str, Whole | bool] = {}
-        # Of what is the angle less the number times words, these words.
-        self._chains: dict[str, tuple[float, ...]] = {}
-        self._names: dict[Operand, Operand] = {}
-        self._steps: list[Step] = []
+        self._inputs, self._case = program.inputs, case
         self._sizes = {name: name_size(name) for name in program.inputs}
-        # What has the sign of an argument, and no other size than a number.
-        self._signs: dict[str, Operand] = {}
+        self._steps: list[Step] = []
         self._per: set[float] = set()
         self._words: set[tuple[float, ...]] = set()
 
-    def resolve(self) -> Resolved:
-        for operation in self._program.operations:
+    def resolve(self, program: Program) -> Resolved:
+        known: dict[Operand, _Known] = {}
+        for operation in program.operations:
+            given = [known.get(operand, operand) for operand in operation.operands]
             rule = _RULES.get(operation.kind)
-            if not (rule and rule(self, operation)):
-                self._append(operation)
-        outputs = tuple(self._find(o) for o in self._program.outputs)
-        straight = keep_needed(
-            StraightLineProgram(self._program.inputs, tuple(self._steps), outputs)
-        )
+            found = rule(self, operation.kind, *given) if rule else None
+            if found is None:
+                operands = tuple(map(self._take, given))
+                self._steps.append(make_step(replace(operation, operands=operands)))
+                found = operation.result
+            known[operation.result] = found
+        outputs = tuple(self._take(known.get(output, output)) for output in program.outputs)
+        straight = keep_needed(StraightLineProgram(self._inputs, tuple(self._steps), outputs))
         if len(self._per) > 1 or len(self._words) > 1:
             raise ValueError("an angle is reduced in more than one way")
         return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
 
-    def _find(self, operand: Operand) -> Operand:
-        if isinstance(operand, str) and (words := self._chains.get(operand)):
-            self._words.add(words)
+    def _take(self, value: _Known) -> Operand:
+        """Return what is computed with."""
+        if isinstance(value, tuple):
+            self._words.add(value)
             return REST
-        if operand in self._facts:
-            raise ValueError(f"{operand} is computed with, but is a decision")
-        return self._names.get(operand, operand)
+        if isinstance(value, Whole | bool):
+            raise ValueError(f"{value} is computed with, but is a decision")
+        return value.size if isinstance(value, _Signed) else value
 
-    def _append(self, operation: Operation) -> None:
-        operands = tuple(self._find(o) for o in operation.operands)
-        self._steps.append(make_step(replace(operation, operands=operands)))
-
-    def _decide(self, operation: Operation) -> bool:
-        first, second = (self._facts.get(str(o)) for o in (*operation.operands, "")[:2])
+    def _decide(self, kind: str, first: _Known, second: _Known) -> bool | None:
         if isinstance(first, Whole) and isinstance(second, Whole):
-            self._facts[operation.result] = first == second
-            return True
+            return first == second
         # No larger size is zero (`Case`).
-        if self._find(operation.operands[0]) == self._find_larger() and operation.operands[1] == 0:
-            self._facts[operation.result] = False
-            return True
-        return False
+        larger = list(self._sizes.values())[0 if self._case.is_larger else -1]
+        is_zero = _is_number(second) and second == 0
+        return False if self._take(first) == larger and is_zero else None
 
-    def _find_larger(self) -> Operand:
-        return list(self._sizes.values())[0 if self._case.is_larger else -1]
+    def _compare_sign(self, kind: str, signed: _Known, zero: _Known) -> bool:
+        is_last = isinstance(signed, _Signed) and signed.sign == self._inputs[-1]
+        if not (is_last and _is_number(zero) and zero == 0):
+            raise ValueError(f"{signed} < {zero}: only the last argument is compared with zero")
+        return self._case.is_behind
 
-    def _compare_sign(self, operation: Operation) -> bool:
-        signed, zero = operation.operands
-        if self._signs.get(str(signed)) != self._program.inputs[-1] or zero != 0:
-            raise ValueError(f"{operation}: only the last argument is compared with zero")
-        self._facts[operation.result] = self._case.is_behind
-        return True
-
-    def _compare(self, operation: Operation) -> bool:
+    def _compare(self, kind: str, *given: _Known) -> bool:
         # Both are doubles that were given: no rounding has a part in this.
-        if [self._find(o) for o in operation.operands] != list(self._sizes.values()):
-            raise ValueError(f"{operation}: only the sizes of both arguments are compared")
-        self._facts[operation.result] = self._case.is_larger
-        return True
+        if [*map(self._take, given)] != list(self._sizes.values()):
+            raise ValueError(f"{given}: only the sizes of both arguments are compared")
+        return self._case.is_larger
 
-    def _compute(self, operation: Operation) -> bool:
-        first, second = operation.operands
-        whole = self._facts.get(str(first))
-        if whole is None and operation.kind == "add" and self._find(first) == 0:
-            # The sum is exact, and what is added alone.
-            self._names[operation.result] = self._find(second)
-            return True
-        if not isinstance(whole, Whole) or isinstance(second, str):
-            return False
-        self._facts[operation.result] = _COMPUTE[operation.kind](whole, second)
-        return True
+    def _compute(self, kind: str, first: _Known, second: _Known) -> _Known | None:
+        if isinstance(first, Whole):
+            return _COMPUTE[kind](first, second) if _is_number(second) else None
+        # The sum is exact, and what is added alone.
+        return self._take(second) if kind == "add" and self._take(first) == 0 else None
 
-    def _round(self, operation: Operation) -> bool:
-        (operand,) = operation.operands
-        known = self._facts.get(str(operand))
-        if isinstance(known, Whole):
-            self._facts[operation.result] = known.rounded(_ROUND[operation.kind])
-            return True
-        made = next(s for s in self._steps if s.result == operand)
+    def _round(self, kind: str, value: _Known) -> Whole | None:
+        if isinstance(value, Whole):
+            return value.rounded(_ROUND[kind])
+        made = next((step for step in self._steps if step.result == value), None)
+        if made is None or made.kind != "multiply" or kind != "rint":
+            return None
         angle, per = made.operands
-        if self._case.number is None or made.kind != "multiply" or isinstance(per, str):
-            return False
-        if angle != self._program.inputs[0] or operation.kind != "rint":
-            return False
+        if self._case.number is None or isinstance(per, str) or angle != self._inputs[0]:
+            return None
         self._per.add(float(per))
-        self._facts[operation.result] = self._case.number
-        return True
+        return self._case.number
 
-    def _take_off(self, operation: Operation) -> bool:
-        number, word, rest = operation.operands
-        known = self._facts.get(str(number))
-        if known is None or known != self._case.number or isinstance(word, str):
-            return False
-        if rest != self._program.inputs[0] and rest not in self._chains:
-            return False
-        before = self._chains.get(str(rest), ())
-        self._chains[operation.result] = (*before, float(word))
-        return True
+    def _take_off(
+        self, kind: str, number: _Known, word: _Known, rest: _Known
+    ) -> tuple[float, ...] | None:
+        before = () if rest == self._inputs[0] else rest
+        is_chain = isinstance(number, Whole) and number == self._case.number
+        if not (is_chain and _is_number(word) and isinstance(before, tuple)):
+            return None
+        return (*before, float(word))
 
-    def _choose(self, operation: Operation) -> bool:
-        condition, one, other = operation.operands
-        self._names[operation.result] = self._find(one if self._facts[str(condition)] else other)
-        return True
+    def _choose(self, kind: str, condition: _Known, one: _Known, other: _Known) -> Operand:
+        if not isinstance(condition, bool):
+            raise ValueError(f"{condition} is not decided")
+        return self._take(one if condition else other)
 
-    def _take_size(self, operation: Operation) -> bool:
-        (operand,) = operation.operands
-        self._names[operation.result] = self._sizes[str(operand)]
-        return True
+    def _take_size(self, kind: str, value: _Known) -> str:
+        return self._sizes[str(value)]
 
-    def _take_sign(self, operation: Operation) -> bool:
+    def _take_sign(self, kind: str, size: _Known, sign: _Known) -> _Known:
         # Of the sign of an argument nothing else depends: what is left is the size of the result.
-        size, sign = operation.operands
-        if sign not in self._program.inputs:
-            raise ValueError(f"{operation}: only signs of arguments are put on results")
-        self._names[operation.result] = self._find(size)
-        if not isinstance(size, str) and size:
-            self._signs[operation.result] = sign
-        return True
+        if sign not in self._inputs:
+            raise ValueError(f"{sign}: only signs of arguments are put on results")
+        value = self._take(size)
+        return value if isinstance(value, str) or not value else _Signed(value, str(sign))
 
 
 _ROUND: Mapping[str, Callable[[Fraction], int]] = {"rint": round, "floor": floor}
@@ -212,7 +199,7 @@ _COMPUTE: Mapping[str, Callable[[Whole, float], Whole]] = {
     "multiply": Whole.times,
     "add": Whole.plus,
 }
-_RULES: Mapping[str, Callable[[_Resolver, Operation], bool]] = MappingProxyType(
+_RULES: Mapping[str, Callable[..., _Known | None]] = MappingProxyType(
     {
         "rint": _Resolver._round,
         "floor": _Resolver._round,
