@@ -20,7 +20,6 @@ from mechproof.codegen.backends.loopless_kernels import (
 )
 from mechproof.codegen.backends.numpy import REGENERATED, render_python, tell_origin
 from mechproof.codegen.backends.scalar_texts import (
-    LoopCall,
     ScalarKernel,
     extend_syntax,
     join_scalars,
@@ -144,7 +143,7 @@ def render_scalars(
     together: Iterable[OnePass] = (),
 ) -> str:
     """Render a module of kernels and read it back."""
-    written, reductions, language = _write(kernels, together)
+    _, written, reductions, language = _write(kernels, together)
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
@@ -159,30 +158,22 @@ def render_scalars(
 
 def _write(
     kernels: Iterable[Kernel], together: Iterable[OnePass]
-) -> tuple[list[ScalarKernel], tuple[TermLoop, ...], Syntax]:
-    """Return the texts of kernels, the loops that they call, and the language."""
-    parted, reductions, language = _part(kernels)
-    written = [write_scalar(kernel, language, loops) for kernel, loops in parted]
-    written += [join_scalars(several, written) for several in together]
-    return written, reductions, language
-
-
-def _part(
-    kernels: Iterable[Kernel],
-) -> tuple[list[tuple[Kernel, tuple[LoopCall, ...]]], tuple[TermLoop, ...], Syntax]:
-    """Return kernels apart from the loops that they call, these loops, and the language."""
+) -> tuple[list[Kernel], list[ScalarKernel], tuple[TermLoop, ...], Syntax]:
+    """Return kernels apart from the loops that they call, all texts, these loops, the language."""
     folded, found = fold_sums(kernels)
     reductions = tuple(map(name_elements, found))
     language = extend_syntax(NUMBA, reductions, "_")
     names = frozenset(found.name for found in reductions)
     parted = [take_out_loops(kernel, names) for kernel in folded]
-    described = [(k, describe_calls(calls, reductions, language)) for k, calls in parted]
-    return described, reductions, language
+    written = [
+        write_scalar(kernel, language, describe_calls(calls, reductions, language))
+        for kernel, calls in parted
+    ]
+    written += [join_scalars(several, written) for several in together]
+    return [kernel for kernel, _ in parted], written, reductions, language
 
 
 def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[OnePass]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
-    kernels = tuple(kernels)
-    (parted, reductions, _), (written, _, _) = _part(kernels), _write(kernels, together)
-    taken = [kernel for kernel, _ in parted]
+    taken, written, reductions, _ = _write(kernels, together)
     compare(dict(mean_compiled(taken, written, reductions)), read_compiled(source))
