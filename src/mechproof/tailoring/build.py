@@ -141,10 +141,7 @@ def _repetition_over(request: Request) -> Repetition | None:
 def _find_reachable(task: Approximand) -> str:
     """Return about the smallest error that is reached."""
     error = max(task.request.error, ROUNDED * task.size)
-    low, high, reduction = _choose_range(task, error)
-    if reduction and task.repetition:
-        farthest = max(-low, high)
-        error = max(error, bound_outside(reduction, task.repetition, farthest, task.slope))
+    error = max(error, _lose_outside(task, *_choose_range(task, error)))
     for _ in range(RAISED):
         error = float(round_up(error * STEP))
         with suppress(NotReachedError):
@@ -172,11 +169,7 @@ def round_up(number: float) -> str:
 
 def _build(task: Approximand, error: float) -> Built:
     low, high, reduction = _choose_range(task, error)
-    outside = 0.0
-    if reduction and task.repetition:
-        farthest = max(-low, high)
-        outside = bound_outside(reduction, task.repetition, farthest, task.slope)
-    rest = error - outside - ROUNDED * task.size
+    rest = error - _lose_outside(task, low, high, reduction) - ROUNDED * task.size
     if rest <= 0:
         raise NotReachedError
 
@@ -217,6 +210,15 @@ def _fit_piece(exact: Callable[[Ball], Ball], centre: float, reach: Ball, powers
     return Piece(centre, tuple(rounded))
 
 
+def _lose_outside(
+    task: Approximand, low: float, high: float, reduction: PeriodReduction | None
+) -> float:
+    """Bound what is lost outside of the polynomials."""
+    if reduction is None or task.repetition is None:
+        return 0.0
+    return bound_outside(reduction, task.repetition, max(-low, high), task.slope)
+
+
 def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
     """List the cheapest plan, then ones that aim lower."""
     for share in LOWER:
@@ -226,9 +228,10 @@ def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
         yield plans[0]
 
 
-def _lower(stretch: Stretch, plan: Plan, built: Built, attempt: object) -> Built:
+def _lower(
+    stretch: Stretch, plan: Plan, built: Built, attempt: Callable[[Plan], Built | None]
+) -> Built:
     """Take terms away while the enclosed bound still meets the error."""
-    assert callable(attempt)
     while plan.terms > 2:
         terms = plan.terms - 1
         fewer = (
