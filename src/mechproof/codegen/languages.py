@@ -18,7 +18,6 @@ from mechproof.programs.operations import (
     CHOICE,
     HELPER,
     KINDS,
-    AxisReduction,
     Infix,
     Kind,
     Pattern,
@@ -48,7 +47,7 @@ def _spell(spellings: Mapping[str, Spelling | None], bodies: str = "") -> Syntax
 
 
 def _name_function(spelling: Spelling) -> str:
-    return f"_{spelling.name}" if isinstance(spelling, Support | AxisReduction) else str(spelling)
+    return f"_{spelling.name}" if isinstance(spelling, Support) else str(spelling)
 
 
 def _change(syntax: Syntax, calls: Mapping[str, str], **more: Any) -> Syntax:

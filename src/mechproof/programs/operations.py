@@ -56,16 +56,12 @@ class Support:
     name: str
 
 
-@dataclass(frozen=True)
-class AxisReduction:
+class AxisReduction(Support):
     """A function of the support package that takes the last axes of an array together."""
-
-    module: str
-    name: str
 
 
 # A text is the name of a function.
-Spelling = Infix | Pattern | Support | AxisReduction | str
+Spelling = Infix | Pattern | Support | str
 
 
 @dataclass(frozen=True)

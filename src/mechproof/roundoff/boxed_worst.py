@@ -51,7 +51,9 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
     estimate = partial(_estimate, program) if IS_LONGER else None
 
     def judge(points: Points) -> Array:
-        return np.array([_judge(program, point) for point in zip(*points, strict=True)])
+        exact = (_take_exactly(point, count) for point in zip(*points, strict=True))
+        names = program.straight.inputs
+        return np.array([measure(program, dict(zip(names, at, strict=True))) for at in exact])
 
     found = climb_and_judge(judge, estimate, start, BY_LONG_DOUBLES, ROUNDS, rng)
     if not len(found.heights) or found.heights.max() < 0:
@@ -87,11 +89,6 @@ def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:
     drawn = rng.uniform(*side, DRAWN)
     drawn[:2] = side
     return np.clip(drawn, *side)
-
-
-def _judge(program: BoxedProgram, point: Sequence[float]) -> float:
-    given = _take_exactly(point, len(program.box))
-    return measure(program, dict(zip(program.straight.inputs, given, strict=True)))
 
 
 def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:

@@ -30,7 +30,7 @@ from mechproof.programs.code import Stage, list_suffixes, name_functions
 from mechproof.programs.evaluation import input_symbols
 from mechproof.programs.kernel import Kernel, input_names, list_functions
 from mechproof.programs.lowering import lower_conditions
-from mechproof.programs.operations import KINDS, AxisReduction, Support
+from mechproof.programs.operations import KINDS, Support
 from mechproof.programs.program import NOTHING
 from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.step_names import list_imports
@@ -59,7 +59,7 @@ def _list_support() -> dict[str, tuple[str, ...]]:
     """Return what modules import: names of modules of the support package, and of Python."""
     offered = {module: {*names} for module, names in _FRAME.items()}
     for row in KINDS.values():
-        if isinstance(row.numpy, Support | AxisReduction):
+        if isinstance(row.numpy, Support):
             offered.setdefault(row.numpy.module, set()).add(row.numpy.name)
     found = {f"mechproof.kernel_support.{m}": tuple(sorted(names)) for m, names in offered.items()}
     return {"builtins": ("abs",), **dict(sorted(found.items()))}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from math import prod
 
 from mechproof.codegen.c_names import STORED
 from mechproof.codegen.languages import EXACT
@@ -91,10 +92,7 @@ class ScalarKernel:
     @property
     def count(self) -> int:
         """Return how many numbers a result has."""
-        count = 1
-        for length in self.shape:
-            count *= length
-        return count
+        return prod(self.shape)
 
     @property
     def width(self) -> int:
