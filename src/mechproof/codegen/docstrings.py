@@ -149,7 +149,7 @@ def _scale_of(quantity: Quantity) -> Scale | None:
 
 def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
     """Define the scales of errors; steps that several have in common stand before them."""
-    scales = [(_write_scale(k), _write_steps(k)) for k in kernels if _scale_of(k.quantity)]
+    scales = [_write_scale(k, s) for k in kernels if (s := _scale_of(k.quantity))]
     counts = Counter(step for _, steps in scales for step in steps)
     shared = [line for step, n in counts.items() if n > 1 for line in _wrap_formula(step)]
     blocks = [shared]
@@ -162,17 +162,12 @@ def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
     return blocks
 
 
-def _write_scale(kernel: Kernel) -> str:
-    scale = _scale_of(kernel.quantity)
-    assert scale is not None
-    formula = write_formula(scale.expression, input_names(kernel.quantity))
-    return f"{scale.name} ({kernel.name}) = {formula}"
-
-
-def _write_steps(kernel: Kernel) -> list[str]:
-    scale, names = _scale_of(kernel.quantity), input_names(kernel.quantity)
-    assert scale is not None
-    return [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
+def _write_scale(kernel: Kernel, scale: Scale) -> tuple[str, list[str]]:
+    """Write the formula of a scale, and of its steps."""
+    names = input_names(kernel.quantity)
+    formula = write_formula(scale.expression, names)
+    steps = [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
+    return f"{scale.name} ({kernel.name}) = {formula}", steps
 
 
 def _section(title: str, lines: list[str]) -> list[str]:

@@ -12,7 +12,7 @@ from functools import lru_cache, partial
 
 import sympy as sp
 
-from mechproof.programs.evaluation import Evaluation, Step, entries, map_entries
+from mechproof.programs.evaluation import Evaluation, Step, map_entries
 from mechproof.programs.step_names import suggest_name
 from mechproof.record.parts import find_free, replace_parts
 
@@ -35,10 +35,9 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
 
 def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
     """List what is repeated, the largest first."""
-    values = [value for _, value in evaluation.steps] + list(entries(evaluation.output))
     named = {value for _, value in evaluation.steps}
     seen: Counter[sp.Expr] = Counter()
-    for value in values:
+    for value in evaluation.expressions():
         _count(value, seen, named)
     repeated = [node for node, count in seen.items() if count > 1 and node not in named]
     return sorted(repeated, key=_count_operations, reverse=True)

@@ -182,16 +182,10 @@ def _list_turned(
 def _enclose(interval: sp.Interval) -> Side:
     """Return doubles on or beyond the ends of an interval."""
     start, end = float(interval.inf), float(interval.sup)
-    start = (
-        start
-        if interval.inf.is_infinite or sp.Rational(start) <= interval.inf
-        else math.nextafter(start, -math.inf)
-    )
-    end = (
-        end
-        if interval.sup.is_infinite or sp.Rational(end) >= interval.sup
-        else math.nextafter(end, math.inf)
-    )
+    if interval.inf.is_finite and sp.Rational(start) > interval.inf:
+        start = math.nextafter(start, -math.inf)
+    if interval.sup.is_finite and sp.Rational(end) < interval.sup:
+        end = math.nextafter(end, math.inf)
     return start, end
 
 

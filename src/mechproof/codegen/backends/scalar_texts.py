@@ -180,7 +180,10 @@ def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = (
     return ScalarKernel(
         kernel.name,
         kernel.quantity.summary,
-        tuple(_spell_argument(a, syntax) for a in arguments),
+        tuple(
+            replace(a, name=syntax.name(a.name), components=_spell(a.components, syntax))
+            for a in arguments
+        ),
         "".join(write_program(inside, syntax).outputs),
         frozenset(syntax.name(n) for a in arguments for n in a.components if n in used),
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
@@ -189,11 +192,6 @@ def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = (
         kernel.quantity.unit,
         loops=loops,
     )
-
-
-def _spell_argument(argument: ScalarArgument, syntax: Syntax) -> ScalarArgument:
-    components = _spell(argument.components, syntax)
-    return replace(argument, name=syntax.name(argument.name), components=components)
 
 
 def _spell(names: Iterable[str], syntax: Syntax) -> tuple[str, ...]:
