@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from textwrap import TextWrapper
+from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.escapes import fold
 from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
 from mechproof.programs.argument_conditions import domain_relations
 from mechproof.programs.evaluation import find_needed
@@ -56,6 +56,32 @@ PROVED = (
     "on the assumptions of that line: the results that they speak of are those of all operations "
     "on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be "
     "proved than is tested, since a proof adds up roundings that may never meet."
+)
+
+
+def fold(text: str) -> str:
+    """Write a text in one line; the blanks that begin it stay."""
+    return re.sub(r"\s*[\n\t]\s*", " ", text)
+
+
+def write_c_comment(text: str) -> str:
+    """Write a line of a comment in C, which it does not end."""
+    return fold(text).replace("*/", "* /").replace("/*", "/ *")
+
+
+def write_docstring(text: str) -> str:
+    """Write what a docstring has between its quotes; its lines stay."""
+    return text.replace("\\", "\\\\").replace('"""', r"\"\"\"")
+
+
+# What stands in a text for that of a paper: templates take them as filters.
+ESCAPES: Mapping[str, Callable[[str], str]] = MappingProxyType(
+    {
+        "comment": fold,
+        "c_comment": write_c_comment,
+        "docstring": write_docstring,
+        "python_string": repr,
+    }
 )
 
 

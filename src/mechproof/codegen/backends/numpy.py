@@ -16,12 +16,12 @@ from jinja2 import meta
 
 from mechproof.codegen.condition_outputs import split_conditions
 from mechproof.codegen.docstrings import (
+    ESCAPES,
     describe_derivatives,
     describe_derivatives_module,
     describe_kernel,
     describe_module,
 )
-from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.languages import NUMPY, NUMPY_BODY
 from mechproof.codegen.syntax import ProgramText, write_program
