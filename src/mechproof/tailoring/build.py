@@ -17,10 +17,10 @@ import numpy as np
 from flint import arb, arb_series
 
 from mechproof.arguments.scalars import refuse
-from mechproof.arithmetic import approximation
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import list_terms, working
 from mechproof.arithmetic.series_rules import Series
+from mechproof.programs.elementary.fits import FIT_BITS, interpolate
 from mechproof.programs.elementary.formats import DOUBLE, take_middle
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
 from mechproof.tailoring.enclosure import (
@@ -189,7 +189,7 @@ def _build(task: Approximand, error: float) -> Built:
 
 def _fit(plan: Plan, exact: Callable[[Ball], Ball]) -> Pieces:
     """Fit every piece of a plan."""
-    with working(1, approximation.BITS):
+    with working(1, FIT_BITS):
         if plan.odd:
             end = plan.edges[-1]
             reaches = [plan.edges[1], end - plan.edges[1]][: plan.count]
@@ -205,7 +205,7 @@ def _fit(plan: Plan, exact: Callable[[Ball], Ball]) -> Pieces:
 
 def _fit_piece(exact: Callable[[Ball], Ball], centre: float, reach: Ball, powers: range) -> Piece:
     """Fit a polynomial about a centre."""
-    found = approximation.interpolate(lambda x: exact(centre + x), arb(0), reach, powers)
+    found = interpolate(lambda x: exact(centre + x), arb(0), reach, powers)
     rounded = (0.0 if c.contains(0) else DOUBLE.round(take_middle(c)) for c in found)
     return Piece(centre, tuple(rounded))
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechproof.programs.elementary.traced_machine import choose, copysign, fma
 from mechproof.programs.program import Program
-from mechproof.programs.trace import Value, trace
+from mechproof.programs.trace import Value, choose, copysign, fma, trace
 
 # A double so large that a sum with it is a whole number: cheaper than rounding to one.
 WHOLE = 1.5 * 2.0**52

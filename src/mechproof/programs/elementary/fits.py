@@ -14,17 +14,18 @@ from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
 
-from flint import arb, arb_series
+from flint import arb, arb_mat, arb_series
 
-from mechproof.arithmetic import approximation
-from mechproof.arithmetic.approximation import bound_terms, expand_about, interpolate
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import list_terms, working
+from mechproof.arithmetic.series_rules import Series
 from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 
 # Beyond the ends, for the rounding of what is reduced to an interval.
 MARGIN = 2.0**-20
 PIECES, ORDER, BITS = 64, 24, 256
+# Of numbers near each other, in powers up to a hundred: what is lost is far less.
+FIT_BITS = 600
 # A piece whose rest is more than this is halved.
 REST = 2.0**-70
 # Of the variable (x - TAIL)/(x + TAIL): polynomials in it need the fewest terms near this.
@@ -134,10 +135,45 @@ NORMAL_TAIL = Target(
 )
 
 
+def interpolate(
+    function: Callable[[Ball], Ball],
+    centre: Ball,
+    reach: Ball,
+    powers: range,
+    below: range = range(0),
+) -> list[Ball]:
+    """Return coefficients of powers, then of those in a denominator beside a 1.
+
+    The nodes are Chebyshev's of the interval, of odd powers the positive ones. The largest error
+    is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15), which
+    the exchange of Remez (1934) would find. The working precision is to be `FIT_BITS`.
+    """
+    count = len(powers) + len(below)
+    angles = (arb.pi() * (2 * i + 1) / (2 * count * powers.step) for i in range(count))
+    nodes = [centre + reach * angle.cos() for angle in angles]
+    values = [function(node) for node in nodes]
+    rows = [
+        [z**power for power in powers] + [-value * z**power for power in below]
+        for z, value in zip(nodes, values, strict=True)
+    ]
+    solution = arb_mat(rows).solve(arb_mat([[value] for value in values]))
+    return [solution[i, 0] for i in range(count)]
+
+
+def expand_about(middle: Ball, reach: Ball) -> tuple[Series, Series]:
+    """Return the variable as series in shares of a reach: about a middle, and over all within."""
+    return arb_series([middle, reach]), arb_series([arb(middle, reach.upper()), reach])
+
+
+def bound_terms(near: Series, far: Series) -> list[Ball]:
+    """Bound the terms of what was computed of both: the last holds over the interval."""
+    return [*map(abs, list_terms(near)[:-1]), abs(list_terms(far)[-1])]
+
+
 @cache
 def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
     """Interpolate by a quotient of polynomials of degrees `above` and `below`."""
-    with working(1, approximation.BITS):
+    with working(1, FIT_BITS):
         first = arb(target.first or 0)
         half = (target.last() - first) / 2
         degrees = range(above + 1), range(1, below + 1)

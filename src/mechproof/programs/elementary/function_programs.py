@@ -19,7 +19,9 @@ import mpmath as mp
 from mechproof.programs.elementary import fits
 from mechproof.programs.elementary.fits import Rational, Target, fit
 from mechproof.programs.elementary.formats import DIGITS, Format
-from mechproof.programs.elementary.traced_machine import (
+from mechproof.programs.program import Program
+from mechproof.programs.trace import (
+    Value,
     choose,
     copysign,
     floor,
@@ -30,9 +32,8 @@ from mechproof.programs.elementary.traced_machine import (
     power_of_two,
     rint,
     root,
+    trace,
 )
-from mechproof.programs.program import Program
-from mechproof.programs.trace import Value, trace
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]

@@ -14,10 +14,9 @@ from typing import Any
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
-from mechproof.programs.elementary.traced_machine import choose
 from mechproof.programs.operations import KINDS, NEAREST, Rounding
 from mechproof.programs.program import Program
-from mechproof.programs.trace import TRACED, Value, trace
+from mechproof.programs.trace import TRACED, Value, choose, trace
 
 
 def fma(a: Value, b: Value, c: Value) -> Value:
