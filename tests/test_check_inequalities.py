@@ -54,6 +54,9 @@ PROVED = [
     (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx>1", ()),
     (r"\int_0^1\frac{dx}{\sqrt x}\le2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<2", ()),
+    # Of whole numbers.
+    (r"\lceil x\rceil-\lfloor x\rfloor\le1", ()),
+    (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor+1", ()),
     # By the values of integrals with letters.
     (r"\int_0^x\sin t\,dt\ge0", ()),
     (r"\int_0^\infty e^{-ax}\,dx\ge1", ("0<a<1",)),
@@ -104,6 +107,9 @@ NOT_PROVED = [
     (r"\int_0^1\frac{dx}x<2", ()),
     (r"\int_0^x\sin t\,dt>0", ()),
     (r"\int_0^\infty e^{-ax}\,dx\ge1", ("a>0",)),
+    (r"\lceil x\rceil-\lfloor x\rfloor<1", ()),
+    (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor", ()),
+    (r"\lfloor x\rfloor\ge\frac x2-\frac12", ()),
     # Integrands that have no integral.
     (r"\int_0^1\frac ax\,dx\ge0", ("a>0",)),
 ]

@@ -298,8 +298,8 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
         "was not shown to be continuous in x over the domain",
     ),
     "inequality": (
-        ge(floor(2 * p), 2 * floor(p)),
-        "the sign of -2*floor(p) + floor(2*p) is not shown",
+        ge(floor(p**2), floor(p) ** 2),
+        "the sign of -floor(p)**2 + floor(p**2) is not shown",
     ),
 }
 

@@ -142,6 +142,16 @@ TABLES = {
             r"-1\le x, x\le1",
         ),
         (
+            r"\sum_{k=0}^\infty\frac{k^2x^k}{k!}=(x+x^2)\mathrm{e}^x",
+            r"\sum_{k=0}^\infty\frac{k^2x^k}{k!}=x^2\mathrm{e}^x",
+            "",
+        ),
+        (
+            r"\sum_{k=2}^\infty\frac{k^3-1}{k!}=4\mathrm e+1",
+            r"\sum_{k=2}^\infty\frac{k^3-1}{k!}=4\mathrm e",
+            "",
+        ),
+        (
             r"\sum_{n=0}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
             r"\sum_{n=1}^\infty\frac{x^n}{n!}=\mathrm{e}^x",
             "",

@@ -194,6 +194,8 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     counts = {k: first + above}
     if not is_nonzero_below(_drop_factorials(term, counts), counts, domain):
         return None
+    if (value := _find_weighted(term, k, first)) is not None:
+        return value
     first += term.subs(k, first) == 0
     before = sp.S.Zero
     for count in range(_MOST_BEFORE + 1):
@@ -205,6 +207,22 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
         if value is not None:
             return value - before
     return None
+
+
+def _find_weighted(term: sp.Expr, k: sp.Symbol, first: sp.Integer) -> sp.Expr | None:
+    """Return the sum of p(k)*a**k/k!; with the first i factors of k! for p it is a**i*e**a."""
+    weight = sp.Mul(*(f for f in sp.Mul.make_args(term) if f.has(k) and f.is_polynomial(k)))
+    rest = (term / weight).subs(k, _J)
+    quotient = hypersimp(rest, _J) if weight != 1 and 0 <= first <= _MOST_BEFORE else None
+    if quotient is None or (a := sp.cancel(quotient * (_J + 1))).has(_J):
+        return None
+    parts, left = [], sp.Poly(weight, k)
+    for count in range(left.degree() + 1):
+        # Newton's form of the polynomial, by the numbers 0, 1, 2 and so on.
+        left, part = sp.div(left, sp.Poly(k - count, k))
+        parts.append(part.as_expr() * a**count)
+    before = sp.Add(*(term.subs(k, number) for number in range(first)))
+    return sp.Add(*parts) * rest.subs(_J, 0) * sp.exp(a) - before
 
 
 def _drop_factorials(term: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

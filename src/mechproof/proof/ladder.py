@@ -248,8 +248,11 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return None if None in rungs else next(iter(rungs), SIGN)
     slack = find_slack(relation)
     if slack and relation.has(sp.floor, sp.ceiling):
-        left, part = leave_fractions(write_steps(slack.value), domain)
-        if is_shown(slack._replace(value=left), part):
+        # A whole number is not negative if it is above -1.
+        is_met = slack.strict or not slack.value.is_integer
+        above = slack if is_met else Slack(slack.value + 1, True)
+        left, part = leave_fractions(write_steps(above.value), domain)
+        if is_shown(above._replace(value=left), part):
             return SIGN
     if newton.converges(relation, domain):
         return newton.RUNG
