@@ -28,8 +28,11 @@ def write_by_power(
 
     None where it is not rational in one exponential.
     """
-    written = sp.expand_power_exp(_write_exponentials(integrand))
-    exponentials = [node for node in written.atoms(sp.exp) if node.has(variable)]
+    written = _write_exponentials(integrand)
+    nodes = [node for node in written.atoms(sp.exp) if node.has(variable)]
+    # What grows comes first: t does not come to zero far out.
+    order = {node: (node.args[0].could_extract_minus_sign(), str(node)) for node in nodes}
+    exponentials = sorted(nodes, key=order.__getitem__)
     slopes = [sp.diff(node.args[0], variable) for node in exponentials]
     if not slopes or slopes[0] == 0 or slopes[0].has(variable):
         return None
