@@ -183,6 +183,19 @@ def test_markdown_has_dollars_and_fences() -> None:
     assert latex == ["b=2", "d=4", "e=5", "f=6"]
 
 
+def test_directives_are_displays_that_may_have_a_label() -> None:
+    fence = "```"
+    first = ":::{math}\n:label: eq:a\na = 1\n:::\n:::{note}\nSee {eq}`eq:a`.\n"
+    content = f"{first}::::{{math}}\nb = 2\n::::\n{fence}{{math}}\nc=3\n{fence}\n:::\n"
+    content += f"{fence}{{code}}\n:::{{math}}\n{fence}\n$$d=4$$\n"
+    source = read_source("paper.md", content)
+    found = list(find_displays(source.text))
+    shown = [(one.latex.string.strip(), one.labels) for one in found]
+    assert shown == [("a = 1", ("eq:a",)), ("b = 2", ()), ("c=3", ()), ("d=4", ())]
+    assert r"See \eqref{eq:a}." in source.text.string
+    assert found[0].locate(source.files).line == 3
+
+
 def test_labels_name_what_they_stand_in() -> None:
     (one,) = find(E % r"\label{eq:ratio}a=1")
     assert one.labels == ("eq:ratio",)

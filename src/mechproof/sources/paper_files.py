@@ -27,6 +27,14 @@ _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
 _MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
+# So is a directive, whose lines of options may give it a label.
+_DIRECTIVE = re.compile(
+    r"^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$(?P<options>(?:\n[ \t]*:[a-z-]+:[^\n]*)*)"
+    r"(?P<body>.*?)^[ \t]*(?P=fence)[ \t]*$",
+    re.DOTALL | re.MULTILINE,
+)
+_LABELLED = re.compile(r":label:[ \t]*(\S+)")
+_REFERENCE = re.compile(r"\{eq\}`([^`<>]+)`")
 # A formula that is a line of its own is a display.
 _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
 # What Markdown needs a backslash before, so that it is no emphasis.
@@ -114,7 +122,8 @@ def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> Lo
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
-        shown = _show(text.replace(_BLOCK, lambda match: "\n"), _MATH)
+        shown = _show_directives(text.replace(_BLOCK, lambda match: "\n"))
+        shown = _show(shown, _MATH)
         shown = shown.replace(_FENCE, lambda match: "\n")
         return _show(shown.replace(_ESCAPED, lambda match: match[1]), _ALONE)
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
@@ -145,6 +154,19 @@ def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
         parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1) - 1)]
         last = match.end()
     return join([*parts, text[last:]])
+
+
+def _show_directives(text: LocatedText) -> LocatedText:
+    """Write the formulas of directives as displays, with their labels, and refer to these."""
+    parts, last = [], 0
+    for match in _DIRECTIVE.finditer(text.string):
+        label = _LABELLED.search(match["options"])
+        head = f"$$\\label{{{label[1]}}}" if label else "$$"
+        parts += [text[last : match.start()], text.put(head, match.start())]
+        parts += [text[match.start("body") : match.end("body")], text.put("$$", match.end() - 1)]
+        last = match.end()
+    shown = join([*parts, text[last:]])
+    return shown.replace(_REFERENCE, lambda match: rf"\eqref{{{match[1]}}}")
 
 
 def _take_lines(block: LocatedText, source: Source) -> None:
