@@ -33,6 +33,10 @@ DISPLAYS = {
         [("(1)", "a=b =c +d")],
     ),
     "an open end": (E % r"\begin{split} a&=b+\\&c \end{split}", [("(1)", "a=b+ c")]),
+    "a star above ends no line": (
+        E % r"\begin{aligned} a&=y^*\\b&=z^+\\c&=2* \\&x=d \end{aligned}",
+        [("(1), part 1", "a=y^*"), ("(1), part 2", "b=z^+"), ("(1), part 3", "c=2* x=d")],
+    ),
     "one line of several": (r"\begin{multline}a=b\\+c\\=d\end{multline}", [("(1)", "a=b +c =d")]),
     "letters": (
         r"\begin{subequations}\begin{gather}a=1\\b=2\end{gather}\end{subequations}" + E % "c=3",

@@ -113,6 +113,14 @@ $$Z=Q(\mu)Q(\nu)=\begin{pmatrix}\cos(\mu+\nu)&\sin(\mu+\nu)\\-\sin(\mu+\nu)&\cos
 $$|D|=\left|\begin{array}{cc}h&k\\l&m\end{array}\right|=hm-kl$$
 """
 
+FRAMED = r"""
+$$Q_0^1=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}$$
+$$Q_1^2=\begin{pmatrix}\cos\nu&\sin\nu\\-\sin\nu&\cos\nu\end{pmatrix}$$
+$$Q_0^2=Q_0^1Q_1^2=\begin{pmatrix}\cos(\psi+\nu)&\sin(\psi+\nu)\\-\sin(\psi+\nu)&\cos(\psi+\nu)\end{pmatrix}$$
+"""
+# Without the first superscripts those that are left may be powers.
+SQUARED = FRAMED.replace("_0^1", "_0")
+
 CALLED = r"""
 $$Q=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}$$
 $$Q(\psi)=Q$$
@@ -126,6 +134,9 @@ $$Q^{-1}(\psi)=Q^T(\psi)=Q(-\psi)=\begin{pmatrix}\cos\psi&-\sin\psi\\\sin\psi&\c
     [
         (CALLED, {"DEFINITION", "PROVED"}),
         (CALLED.replace(r"=Q(-\psi)", r"=Q(\psi)"), {"DEFINITION", "PROVED", "REFUTED"}),
+        (FRAMED, {"DEFINITION", "PROVED"}),
+        (FRAMED.replace(r"&\sin(\psi+", r"&\cos(\psi+"), {"DEFINITION", "REFUTED"}),
+        (SQUARED, {"DEFINITION", "not judged"}),
         (TURNED, {"DEFINITION", "PROVED"}),
         (TURNED.replace(r"&\sin(\mu+", r"&\cos(\mu+"), {"DEFINITION", "PROVED", "REFUTED"}),
         (TURNED.replace("hm-kl", "hm+kl"), {"DEFINITION", "PROVED", "REFUTED"}),

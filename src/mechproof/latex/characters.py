@@ -37,7 +37,8 @@ _SIGNS: Mapping[str, str] = {
     **{"′": "'", "∣": "|", "…": r"\dots", "⋯": r"\dots", "\u2044": "/", "\u2215": "/"},
 }
 # The names of the commands of letters.
-GREEK = frozenset((*(command[1:] for command in _LETTERS.values()), "Upsilon"))
+_NAMES = {*(command[1:] for command in _LETTERS.values()), "Upsilon"}
+GREEK = frozenset(_NAMES | {f"var{name}" for name in _NAMES if name.istitle()})
 # What is copied in the place of other signs, and what to print.
 _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),

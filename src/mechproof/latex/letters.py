@@ -150,7 +150,8 @@ def read_letter(parser: Parser, match: Match | None) -> Node:
         return _read_bound(parser, match)
     if match:
         return _read_name(parser, match)
-    if parser.text in CONSTANTS:
+    is_indexed = [token.text for token in parser.rest[:2]] == [r"\pi", "_"]
+    if parser.text in CONSTANTS and not is_indexed:
         token = parser.take()
         shown = token.text.removeprefix(r"\mathrm").strip("\\{}")
         return Constant(CONSTANTS[token.text], shown, start=start, end=token.end)

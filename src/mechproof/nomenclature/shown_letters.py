@@ -79,6 +79,11 @@ _MATRIX = re.compile(
 )
 
 
+# A letter with an index, and what is raised above it if that may be another one: T_0^1.
+_FRAMED = re.compile(
+    r"(?<![A-Za-z\\])(?P<stem>[A-Z]|\\(?:mathbf|mathrm|boldsymbol|bm)\s*\{[A-Z]\})"
+    r"_(?:\d|[a-z]|\{[a-z\d+-]+\})(?:\^(?P<to>\d|[a-z]|\{[a-z\d][a-z\d+-]*\})(?![\d^]))?"
+)
 # The beginning of a table of equations.
 _TABLE = re.compile(
     r"\\begin\{(?:array|matrix|aligned)\}(?:\{[lcr|]+\})?(?=[^&\\]*(?:_\{[^{}]*\}\s*)?=)"
@@ -132,6 +137,7 @@ def collect_letters(
     prints = list(printed)
     displays: list[list[str]] = []
     guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
+    guesses.letters |= dict.fromkeys(find_framed(prints))
     unread: dict[str, ReadingError] = {}
     for latex in prints:
         found = _collect_from(latex, guesses)
@@ -273,6 +279,22 @@ def is_vector(letter: str) -> bool:
     So is a rate of one.
     """
     return _RATE.sub("", letter).startswith((*VECTORS, LEFT))
+
+
+def find_framed(prints: Sequence[str]) -> Iterator[str]:
+    """Yield the matrices between two frames, T_0^1: their superscripts are no powers.
+
+    A matrix with that name is printed, and none of that letter without a superscript.
+    """
+    found = [match for latex in prints for match in _FRAMED.finditer(latex)]
+    tables = {name for name, _ in find_shapes(prints)}
+    plain = {one["stem"] for one in found if not one["to"]}
+    first = {
+        one["stem"]
+        for one in found
+        if one["to"] and strip_braces(one["to"]) == "1" and name_symbol(one[0]) in tables
+    }
+    yield from (one[0] for one in found if one["stem"] in first - plain)
 
 
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:

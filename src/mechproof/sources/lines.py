@@ -145,7 +145,8 @@ def count_signs(line: str) -> int:
 
 def ends_open(line: str) -> bool:
     """Return whether a line ends with a sign behind which something has to stand."""
-    return any(sign in (*_RELATIONS, *_OPERATORS) for sign in _list_signs(line)[-1:])
+    *before, last = ["", *_list_signs(line)]
+    return last in (*_RELATIONS, *_OPERATORS) and before[-1:] != ["^"]
 
 
 def _list_signs(line: str) -> list[str]:
