@@ -188,6 +188,9 @@ def test_without_sizes_nothing_is_said_of_what_is_put_in() -> None:
 
 
 CALCULATED = {
+    # A turn of the earth around the sun, in degrees a day, and with two digits exchanged.
+    r"\frac{360^\circ}{365.26\text{ days}}\cdot1\text{ day}=0.9856^\circ": ["PROVED"],
+    r"\frac{360^\circ}{356.26\text{ days}}\cdot1\text{ day}=0.9856^\circ": ["REFUTED"],
     r"\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}=250\,\mathrm{MPa}": ["PROVED"],
     r"\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}=25\,\mathrm{MPa}": ["REFUTED"],
     r"l=2\,\mathrm{m}-30\,\mathrm{cm}=1.7\,\mathrm{m}": ["DEFINITION", "PROVED"],

@@ -33,6 +33,13 @@ DISPLAYS = {
         [("(1)", "a=b =c +d")],
     ),
     "an open end": (E % r"\begin{split} a&=b+\\&c \end{split}", [("(1)", "a=b+ c")]),
+    "braces around a letter are no system": (
+        r"$$\left\{r\right\}_a=2\left\{r\right\}_b$$ $$\left\{r=1\right.$$",
+        [
+            ("display 1", r"\left\{r\right\}_a=2\left\{r\right\}_b"),
+            ("display 2", "r=1"),
+        ],
+    ),
     "a star above ends no line": (
         E % r"\begin{aligned} a&=y^*\\b&=z^+\\c&=2* \\&x=d \end{aligned}",
         [("(1), part 1", "a=y^*"), ("(1), part 2", "b=z^+"), ("(1), part 3", "c=2* x=d")],
@@ -130,6 +137,10 @@ DISPLAYS = {
         r"\DeclareSIUnit[mode=text]{\rev}{rpm}\DeclareSIUnit\turn{r}" + E % r"n=\SI{3}{\rev}",
         [("(1)", r"n=\SI{3}{rpm}")],
     ),
+    "a macro within the first display that uses it": (
+        r"$$\newcommand{\w}[1]{\mathbf{#1}} a=\w{b}$$ $$c=\w{d}$$",
+        [("display 1", r"a=\mathbf{b}"), ("display 2", r"c=\mathbf{d}")],
+    ),
     "macros are known from where they stand on": (
         r"\newcommand\w{x}" + E % r"a=\w" + r"\renewcommand\w{y}" + E % r"a=\w",
         [("(1)", "a=x"), ("(2)", "a=y")],
@@ -191,11 +202,13 @@ def test_directives_are_displays_that_may_have_a_label() -> None:
     fence = "```"
     first = ":::{math}\n:label: eq:a\na = 1\n:::\n:::{note}\nSee {eq}`eq:a`.\n"
     content = f"{first}::::{{math}}\nb = 2\n::::\n{fence}{{math}}\nc=3\n{fence}\n:::\n"
-    content += f"{fence}{{code}}\n:::{{math}}\n{fence}\n$$d=4$$\n"
+    content += ":::{math}\n:label:\nd=4\n:::\n<!--\n:::{math}\nx=5\n::: -->\n"
+    content += f"{fence}{{code}}\n:::{{math}}\n{fence}\n$$e=5$$\n"
     source = read_source("paper.md", content)
     found = list(find_displays(source.text))
     shown = [(one.latex.string.strip(), one.labels) for one in found]
-    assert shown == [("a = 1", ("eq:a",)), ("b = 2", ()), ("c=3", ()), ("d=4", ())]
+    assert shown[:2] == [("a = 1", ("eq:a",)), ("b = 2", ())]
+    assert shown[2:] == [(latex, ()) for latex in ("c=3", "d=4", "e=5")]
     assert r"See \eqref{eq:a}." in source.text.string
     assert found[0].locate(source.files).line == 3
 

@@ -29,6 +29,16 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "REFUTED", "PROVED"],
     ),
+    "conditions in brackets": (
+        [
+            r"s=\begin{cases}a\psi^2&(\psi\le1)\\"
+            r"a(2\psi-1)&\left(\text{if }\psi>1\right)\end{cases}",
+            r"s'=\begin{cases}2a\psi&\left(\psi<1\right)\\2a&[\psi>1]\end{cases}",
+            r"s'=\begin{cases}2a\psi&\left(\psi<1\right)\\a&[\psi>1]\end{cases}",
+            r"s''=\begin{cases}2a&(\psi-2)(\psi+3)<0\\0&(\psi>2)\end{cases}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "not judged"],
+    ),
     "seams with letters": (
         [
             r"s=\begin{cases}a\psi^2&\psi\le k\\2ak\psi-ak^2&\psi\ge k\end{cases}",

@@ -57,6 +57,8 @@ REFUSED = [
     # A word for a function, not the command of the same letters.
     (r"\mathrm{int}(x)", r"\mathrm{int}", "has no meaning here", r"\mathrm{int}"),
     ("x^{*2}", "^{*2}", "declared, but not with a star", "x^*"),
+    (r"\arctan(x,y)", r"\arctan(x,y)", "which of them is above", "atan2"),
+    (r"\vecr x", r"\vecr x", "has no meaning here", r"\newcommand{\vecr}"),
     (r"\log x", r"\log x", "not the same everywhere", "functions"),
     (r"\arcctg x", r"\arcctg x", "not the same everywhere", "functions"),
     (r"\dots=x", r"\dots=x", "printed before", "whole"),
@@ -175,7 +177,7 @@ MEANINGLESS = [
     (r"\begin{pmatrix}1\end{pmatrix}+1", "do not fit"),
     (r"\begin{pmatrix}1&2\end{pmatrix}\begin{pmatrix}1&2\end{pmatrix}", "do not fit"),
     (r"\frac{1}{\begin{pmatrix}1\end{pmatrix}}", "do not fit"),
-    (r"\arctan(1, 2)", "do not fit"),
+    (r"\arcsin(1, 2)", "do not fit"),
     (r"\det x", "do not fit"),
     (r"\det(1, 2)", "do not fit"),
     *(

@@ -52,6 +52,12 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
         parser.take()
     exponent = _read_exponent(parser, function.name)
     arguments = _read_arguments(parser, place)
+    if function.make is sp.atan and len(arguments) == 2:
+        raise parser.refuse(
+            "an arctangent of two numbers: which of them is above the other?",
+            r"Print \operatorname{atan2}(y,x) for the direction of (x,y).",
+            start,
+        )
     if parser.text == "^" and (exponent or is_argument):
         _refuse_power_behind(parser)
     if parser.text == "^" and arguments:

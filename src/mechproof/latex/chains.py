@@ -171,7 +171,9 @@ def _read_chain(parser: Parser) -> Chain:
 
 def _refuse_number_of_equation(parser: Parser, member: Node) -> None:
     r"""Refuse \theta_2=(4), which nobody prints for the number."""
-    if isinstance(member, Bracket) and isinstance(member.inside, Number):
+    printed = parser.source.latex[member.start : member.end].removeprefix(r"\left")
+    is_round = printed.lstrip().startswith("(")
+    if is_round and isinstance(member, Bracket) and isinstance(member.inside, Number):
         raise parser.refuse(
             f"({member.inside.text}): the number, or the equation that has it?",
             "Print the number without brackets, or leave that of an equation to the text.",

@@ -120,9 +120,12 @@ def name_character(text: str) -> str:
 
 
 def advise(text: str) -> str:
-    """Return what to print instead of a character, where that can be said."""
+    """Return what to print instead of a sign, where that can be said."""
     if len(text) != 1:
-        return ""
+        is_command = text.startswith("\\") and text[1:].isalpha()
+        return (
+            rf"If it is a macro, print its \newcommand{{{text}}} in the text." if is_command else ""
+        )
     if text in _INSTEAD:
         return _INSTEAD[text]
     if unicodedata.combining(text) or _has_accent(text):

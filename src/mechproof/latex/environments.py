@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise, takewhile
 from typing import TYPE_CHECKING
 
+from mechproof.latex import side_conditions
 from mechproof.latex.characters import is_digit
 from mechproof.latex.numerals import read_number
 from mechproof.latex.printed_relations import RELATIONS, read_relations
@@ -106,12 +107,10 @@ def read_cases(parser: Parser, start: int) -> Cases:
         if parser.skip(*ELSE):
             otherwise = value
         else:
-            condition_start = parser.start
             parser.skip(*IF)
             if parser.text == r"\\" or parser.text.startswith(r"\end{"):
                 raise parser.refuse("a case without its condition")
-            condition = read_relations(parser, condition_start, ",")
-            pieces.append((value, condition))
+            pieces.append((value, _read_condition(parser)))
         parser.skip(",", ";", ".")
         parser.skip(r"\\")
     parser.take()
@@ -120,6 +119,18 @@ def read_cases(parser: Parser, start: int) -> Cases:
     parser.skip(r"\right.")
     parser.depth -= 1
     return Cases(tuple(pieces), otherwise, start=start, end=parser.end)
+
+
+def _read_condition(parser: Parser) -> Chain:
+    """Read the condition of a case, which may stand in a bracket."""
+
+    def read() -> Chain:
+        parser.skip(*IF)
+        return read_relations(parser, parser.start, ",")
+
+    if not side_conditions.is_bracketed(parser):
+        return read()
+    return parser.read_inside(parser.text, read, {"(": ")", "[": "]"}[parser.text])
 
 
 def _skip_marks(parser: Parser) -> None:

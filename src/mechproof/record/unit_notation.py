@@ -61,7 +61,11 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
         **{"in": sp.Rational("0.0254"), "ft": sp.Rational("0.3048")},
     },
     LENGTH**3: {"l": _TEN**-3, "L": _TEN**-3, "ml": _TEN**-6},
-    _TIME: {**_list_multiples("s", "uµμm"), "min": sp.Integer(60), "h": sp.Integer(3600)},
+    _TIME: {
+        **_list_multiples("s", "uµμm"),
+        **{"min": sp.Integer(60), "h": sp.Integer(3600)},
+        **dict.fromkeys(("day", "days"), sp.Integer(86400)),
+    },
     _MASS: {"kg": _TEN**0, "g": _TEN**-3, "t": _TEN**3, "mg": _TEN**-6},
     _TEMPERATURE: {"K": _TEN**0},
     _CURRENT: _list_multiples("A", "uµμmk"),

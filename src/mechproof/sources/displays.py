@@ -205,7 +205,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
         elif match["inline"] is not None:
             continue
         else:
-            macros = {d.name: d.macro for d in defined if d.place <= match.start()}
+            macros = {d.name: d.macro for d in defined if d.place < match.end()}
             words = text[last : match.start()]
             announced = announced.go_on(words.string, words.offsets)
             group, end = group + 1, match.end()

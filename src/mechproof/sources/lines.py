@@ -101,7 +101,8 @@ def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
     brace = _SYSTEM.match(latex.string)
     signs = list(walk_signs(latex.string)) if brace else []
     close = next((n for n, (_, place, depth) in enumerate(signs) if place and not depth), None)
-    if not brace or close is None or ends_open(before):
+    has_equations = any(sign in _RELATIONS for sign, _, _ in signs[:close])
+    if not brace or close is None or not has_equations or ends_open(before):
         yield line
         return
     inside = latex[brace.end() : signs[close][1]].replace(_TABLE_END, lambda _: "")

@@ -27,10 +27,10 @@ _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
 _MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
-# So is a directive, whose lines of options may give it a label.
+# So is a directive, whose lines of options may give it a label; in comments there is none.
 _DIRECTIVE = re.compile(
-    r"^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$(?P<options>(?:\n[ \t]*:[a-z-]+:[^\n]*)*)"
-    r"(?P<body>.*?)^[ \t]*(?P=fence)[ \t]*$",
+    r"<!--.*?-->|^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$"
+    r"(?P<options>(?:\n[ \t]*:[a-z-]+:[^\n]*)*)(?P<body>.*?)^[ \t]*(?P=fence)[ \t]*$",
     re.DOTALL | re.MULTILINE,
 )
 _LABELLED = re.compile(r":label:[ \t]*(\S+)")
@@ -160,6 +160,8 @@ def _show_directives(text: LocatedText) -> LocatedText:
     """Write the formulas of directives as displays, with their labels, and refer to these."""
     parts, last = [], 0
     for match in _DIRECTIVE.finditer(text.string):
+        if not match["fence"]:
+            continue
         label = _LABELLED.search(match["options"])
         head = f"$$\\label{{{label[1]}}}" if label else "$$"
         parts += [text[last : match.start()], text.put(head, match.start())]
