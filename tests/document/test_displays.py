@@ -45,6 +45,10 @@ DISPLAYS = {
         [("(1), part 1", "a=y^*"), ("(1), part 2", "b=z^+"), ("(1), part 3", "c=2* x=d")],
     ),
     "one line of several": (r"\begin{multline}a=b\\+c\\=d\end{multline}", [("(1)", "a=b +c =d")]),
+    "one line of several between dollars": (
+        r"$$\begin{multline}a=b\\ \qquad+c\end{multline}$$",
+        [("display 1", r"a=b +c")],
+    ),
     "letters": (
         r"\begin{subequations}\begin{gather}a=1\\b=2\end{gather}\end{subequations}" + E % "c=3",
         [("(1a)", "a=1"), ("(1b)", "b=2"), ("(2)", "c=3")],

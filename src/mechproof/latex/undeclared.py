@@ -38,6 +38,8 @@ _UNREAD = {
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
     r"\partial": r"Print \frac{\partial …}{\partial x}, x a letter.",
     r"\nabla": "A derivative needs a name of its own.",
+    r"\propto": "Print an equation with the factor.",
+    r"\leftarrow": "Leave out what an arrow points at.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
