@@ -60,6 +60,7 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
     [
         ("where $b$ is the width of the belt [mm],", "b : width of the belt [mm]"),
         ("* $b$ width of the belt\n", "b : width of the belt"),
+        ("where $b$ is the **mean width** of the *belt*.", "b : mean width of the belt"),
         ("- $b =$ width of the belt (at rest)\n", "b : width of the belt"),
         ("- Width of the belt: $b$\n", "b : Width of the belt"),
         ("| $b$ | width of the belt | mm |\n", "b : width of the belt [mm]"),

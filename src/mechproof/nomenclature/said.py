@@ -121,6 +121,8 @@ _NO_NOUN = re.compile(
     # The bullet of an item behind a colon.
     r"|\W*\Z"
 )
+# What emphasizes words in Markdown.
+_EMPHASIS = re.compile(r"(?<=\w)\*+|\*+(?=\w)")
 # What stands between letters, not in their indices.
 _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
 _RESPECTIVELY = re.compile(r",?\s*respectively")
@@ -186,7 +188,7 @@ def find_pi(said: Mapping[str, Said]) -> Said | None:
 
 def _share(text: str, count: int) -> list[str]:
     """Return what is said of each of so many letters: "radius and length, respectively"."""
-    meaning = " ".join(text.split()).strip(" ~*_")
+    meaning = " ".join(_EMPHASIS.sub("", text).split()).strip(" ~*_")
     items = _ITEMS.split(_RESPECTIVELY.sub("", meaning))
     is_shared = len(items) != count or not _RESPECTIVELY.search(meaning)
     return [meaning] * count if is_shared else items
