@@ -58,6 +58,11 @@ PAPERS = {
         "",
         [P, D, R],
     ),
+    "a zero in braces is no number of an equation": (
+        r"$$\{u\}-2\{v\}=\{0\}$$ $$\{u\}=2\{v\}$$ $$\{w\}=3\{v\}$$ $$\{w\}=4\{v\}$$ $$x=(0)$$",
+        "",
+        [P, D, D, R, UNREAD],
+    ),
     "several solutions in one line": (r"$$u=2v\ \mbox{ or }\ u=-2v$$ $$u=-2v$$", "", [D, OPEN, P]),
     "what is said to be an identity is no other solution": (
         r"$$\begin{align}u&=2v\\u&=3v\end{align}$$",
