@@ -58,6 +58,14 @@ PAPERS = {
         "",
         [P, D, R],
     ),
+    "quantities that are called by words": (
+        r"$$\text{Mean load}=\frac{\text{Greatest load}+\text{Least load}}{2}$$"
+        r"$$2\cdot\text{Mean load}=\text{Least load}+1\cdot\text{Greatest load}$$"
+        r"$$\text{Mean load}=\frac{\text{Greatest load}-\text{Least load}}{2}$$"
+        r"$$\text{Hence we get }c=2b$$ $$h=\text{constant over time}$$ $$k=v+\text{small terms}$$",
+        "",
+        [D, P, R, UNREAD, UNREAD, UNREAD],
+    ),
     "a zero in braces is no number of an equation": (
         r"$$\{u\}-2\{v\}=\{0\}$$ $$\{u\}=2\{v\}$$ $$\{w\}=3\{v\}$$ $$\{w\}=4\{v\}$$ $$x=(0)$$",
         "",

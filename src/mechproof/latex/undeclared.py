@@ -31,6 +31,9 @@ UNSURE = {
 _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
+# What stands between factors, and between any operands.
+_FACTORS = (r"\cdot", r"\times", "/")
+_BETWEEN = ("+", "-", *_FACTORS)
 # Units that are just as often letters behind a number.
 _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
@@ -125,9 +128,24 @@ def _upright_word(parser: Parser) -> str:
         return ""
     inside = token.text.partition("{")[2] or token.text
     word = inside.strip("\\} ")
-    is_name = word[:1].isalpha() and word.isalnum() and token.text not in (AND, *IF, *ELSE)
+    parts = word.split()
+    is_name = word[:1].isalpha() and all(map(str.isalnum, parts))
+    is_name &= token.text not in (AND, *IF, *ELSE) and (len(parts) == 1 or _is_operand(parser))
     kind = r"\text" if command in TEXT else r"\mathrm"
     return rf"{kind}{{{word}}}" if is_name else ""
+
+
+def _is_operand(parser: Parser) -> bool:
+    """Return whether words stand where a quantity does, and say nothing of what is beside them.
+
+    At the end they may say what is left out, or what is meant: "constant over time".
+    """
+    texts = ["", *(token.text for token in parser.tokens), ""]
+    before, behind = texts[parser.place], texts[parser.place + 2]
+    if not behind:
+        return before in _FACTORS
+    begins = before in ("", "{", "(", *_BETWEEN, *RELATIONS)
+    return begins and behind in ("}", ")", *_BETWEEN, *RELATIONS)
 
 
 def _is_unsure(parser: Parser) -> bool:
