@@ -40,7 +40,7 @@ def write_like(factor: sp.Expr, y: sp.Symbol, find: Find, domain: Domain) -> sp.
 def _write_difference(sum_: sp.Add, y: sp.Symbol, find: Find, domain: Domain) -> sp.Expr:
     """Write a sum whose terms come to numbers that cancel as what is left: e^u - 1, 1 - cos u.
 
-    So is the root of what comes to a number; what is left of the terms are multiples of one part.
+    So is the root of what comes to a number. Of what is left of the terms the largest counts.
     """
     number, rest = sum_.as_independent(y, as_Add=True)
     parts = [_part(term, y, find, domain) for term in sp.Add.make_args(rest)]
@@ -48,11 +48,12 @@ def _write_difference(sum_: sp.Add, y: sp.Symbol, find: Find, domain: Domain) ->
     is_known = len(known) == len(parts) and all(small != 0 for _, small in known)
     if not is_known or not decide_equal(-number, sum(n for n, _ in known), domain):
         return sum_
-    first = known[0][1]
-    ratios = [sp.cancel(small / first) for _, small in known]
-    scale = sp.Add(*ratios)
-    is_met = not scale.has(y) and is_nonzero(scale, domain)
-    return scale * first if is_met else sum_
+    for _, largest in known:
+        ratios = [find(sp.cancel(small / largest)) for _, small in known]
+        limits = [ratio for ratio in ratios if ratio is not None and ratio.is_finite]
+        if len(limits) == len(known) and is_nonzero(scale := sp.Add(*limits), domain):
+            return scale * largest
+    return sum_
 
 
 def _part(
