@@ -25,7 +25,7 @@ LONGEST = (
 # Of a slow test with `MANY` cases always the same one in `SHOWN`, if there are as many, is run with
 # what is not slow, and one in `SLOW` of the others with what is slow; the rest is thorough. Where
 # what takes long is done for all cases `together`, all of them stay slow.
-MANY, SHOWN, SLOW = 6, 12, 8
+MANY, SHOWN, SLOW = 6, 24, 8
 
 # What a derivation is made of.
 DERIVED = (".py", ".tex", ".json")
