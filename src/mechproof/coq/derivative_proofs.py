@@ -1,8 +1,8 @@
-"""Proofs by derivatives: two sides that are equal at one place and have the same derivative.
+"""Proofs by derivatives, and of derivatives.
 
-Integrals with one moving limit are differentiated by the fundamental theorem of calculus.
-
-Proofs of derivatives: Coq differentiates, and compares what it finds with what is stated.
+Two sides are equal that are so at one place and have the same derivative. Integrals with one moving
+limit are differentiated by the fundamental theorem of calculus. Of a derivative Coq compares what
+it finds with what is stated.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ quotients by the signs of the factors of their difference, which SymPy finds and
 inequality of one symbol that is an equality at its lower bound the difference of the sides rises
 from there, which the enclosure of its derivative shows.
 
-Roots of quotients, written as quotients with roots of what has no denominator.
+Roots of quotients are written as quotients with roots of what has no denominator.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A row and its verdict -> the theorems that say as much: of all values, or of a point.
 
-Relations with laws by pieces -> one relation for every choice of pieces, with its conditions.
+A relation with laws by pieces is one for every choice of pieces, with its conditions.
 """
 
 from __future__ import annotations

@@ -4,10 +4,9 @@ A row is judged anew when its record, the domain, a source file of the prover or
 Python, SymPy or flint differs. One file for each derivation holds the rows of its last run. Of a
 folder those of its namesakes are read as well: what is installed is often also checked out.
 
-Fingerprint: a record of statements and domains -> a key that is equal for equal records only.
-
-It follows what SymPy compares (the class and hashable content of each node), so it is the same in
-every process; dummies are numbered in the order in which they are met.
+The fingerprint of a record is a key that is equal for equal records only. It follows what SymPy
+compares (the class and hashable content of each node), so it is the same in every process; dummies
+are numbered in the order in which they are met.
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
-"""Where an expression may fail to be continuous in one variable: needed for antiderivatives.
+"""Where an expression may fail to be continuous in one variable, and a rung that asks for it.
 
-Rung: equal derivatives, equal constants, and both sides continuous over the whole domain.
-
-Needed where arctangents or integrals stand: a formula that differentiates correctly can
-still jump (Jeffrey 1993, of what computer algebra finds by tan(x/2)), so continuity is proved
-before the constant is believed.
+The rung: equal derivatives, equal constants, and both sides continuous over the whole domain. A
+formula with arctangents or integrals that differentiates correctly can still jump (Jeffrey 1993, of
+what computer algebra finds by tan(x/2)), so continuity is proved before the constant is believed.
 """
 
 from __future__ import annotations

@@ -35,6 +35,13 @@ def write_by_sines(expression: sp.Expr) -> sp.Expr:
     )
 
 
+def write_by_exponentials(expression: sp.Expr) -> sp.Expr:
+    """Write hyperbolic functions by exponentials."""
+    return expression.replace(
+        lambda node: isinstance(node, HYPERBOLIC), lambda node: node.rewrite(sp.exp)
+    )
+
+
 @dataclass
 class Coordinates:
     """The change of variables and what is known of the new ones."""

@@ -1,14 +1,13 @@
-"""Sums without end: the limit of the partial sums, where both are shown.
+"""Sums without end: the limits of partial sums, and the series of known functions.
 
 SymPy proposes the partial sum, by Gosper's algorithm (1978); that of a geometric series is known.
 It counts if it begins and grows as the sum does, by induction, and has a limit. A sum is infinite
 whose terms have values and are in the end no less than those of c/k or c/(k*ln k), c > 0.
 
-Sums without end that are the series of elementary functions, or of zeta values.
-
-A term is known by the first one and by its quotient with the one before (Petkovšek, Wilf,
-Zeilberger, A = B, 1996, chapter 3). SymPy simplifies that quotient; it has to be the one of a
-series of the table (Abramowitz, Stegun, 1964, chapters 3, 4 and 23) where that converges.
+Of the series of elementary functions, and of zeta values, a term is known by the first one and by
+its quotient with the one before (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 3). SymPy
+simplifies that quotient; it has to be the one of a series of the table (Abramowitz, Stegun, 1964,
+chapters 3, 4 and 23) where that converges.
 """
 
 from __future__ import annotations

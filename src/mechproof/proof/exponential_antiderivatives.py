@@ -8,14 +8,14 @@ from math import gcd, lcm
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-_HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
+from mechproof.proof.coordinates import HYPERBOLIC, write_by_exponentials
 
 
 def propose_by_exponentials(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate terms p(x)*exp(a*x)*cos(b*x + c), p a polynomial, by parts to the end."""
-    if not integrand.has(sp.exp, *_HYPERBOLIC):
+    if not integrand.has(sp.exp, *HYPERBOLIC):
         return
-    written = sp.expand(TR8(sp.expand(_write_exponentials(integrand))))
+    written = sp.expand(TR8(sp.expand(write_by_exponentials(integrand))))
     terms = [_integrate_term(term, variable) for term in sp.Add.make_args(written)]
     if None not in terms:
         yield sp.Add(*terms)
@@ -28,7 +28,7 @@ def write_by_power(
 
     None where it is not rational in one exponential.
     """
-    written = _write_exponentials(integrand)
+    written = write_by_exponentials(integrand)
     nodes = [node for node in written.atoms(sp.exp) if node.has(variable)]
     # What grows comes first: t does not come to zero far out.
     order = {node: (node.args[0].could_extract_minus_sign(), str(node)) for node in nodes}
@@ -49,12 +49,6 @@ def write_by_power(
     rational = written.xreplace(powers) / (step * t)
     is_met = rational.is_rational_function(t) and not rational.has(variable)
     return (rational, sp.exp(step * variable)) if is_met else None
-
-
-def _write_exponentials(expression: sp.Expr) -> sp.Expr:
-    return expression.replace(
-        lambda node: isinstance(node, _HYPERBOLIC), lambda node: node.rewrite(sp.exp)
-    )
 
 
 def _integrate_term(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:

@@ -16,7 +16,13 @@ from math import lcm
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
+from mechproof.proof.coordinates import (
+    ANGULAR,
+    BY_SINES,
+    HYPERBOLIC,
+    list_terms,
+    write_by_exponentials,
+)
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_positive, is_workable
 from mechproof.record import RecordError, Root, Slack
@@ -143,9 +149,7 @@ def _write_exponentials(
     expression: sp.Expr, domain: Domain
 ) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
     """Write exponentials as powers of positive numbers; return the sets of these, too."""
-    expression = expression.replace(
-        lambda node: isinstance(node, HYPERBOLIC), lambda node: node.rewrite(sp.exp)
-    )
+    expression = write_by_exponentials(expression)
     denominators: dict[sp.Expr, int] = {}
     nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
     for node in nodes:

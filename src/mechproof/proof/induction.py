@@ -1,16 +1,15 @@
-"""Rung: a sum with n terms has a value that begins and grows as the sum does.
+"""Rungs: sums with n terms, and inequalities, from one whole number to the next.
 
-Both sides are equal for the smallest n, and for every n their differences from the one before are:
-by induction they are equal for all. So geometric and telescoping sums are proved without being
-summed up; the value comes from the print (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 1), and
-no algorithm has to find it, as that of Gosper (1978) would.
+A sum has a value that begins and grows as the sum does: both sides are equal for the smallest n,
+and for every n their differences from the one before are: by induction they are equal for all. So
+geometric and telescoping sums are proved without being summed up; the value comes from the print
+(Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 1), and no algorithm has to find it, as that of
+Gosper (1978) would.
 
-Rung: an inequality for all whole numbers n, from one to the next.
-
-D(n) > 0 holds for the first n, and D(n + 1) - c*D(n) >= 0 with some c > 0 from there on, so that it
-holds for all. With c = 1 that is a comparison of differences; with the quotient of a term of D and
-the one before, which is c for a power and n + 1 for a factorial, one of quotients. The step is an
-inequality of real numbers n, and shown as any other.
+Of an inequality D(n) > 0 holds for the first n, and D(n + 1) - c*D(n) >= 0 with some c > 0 from
+there on, so that it holds for all. With c = 1 that is a comparison of differences; with the
+quotient of a term of D and the one before, which is c for a power and n + 1 for a factorial, one of
+quotients. The step is an inequality of real numbers n, and shown as any other.
 """
 
 from __future__ import annotations

@@ -5,12 +5,11 @@ and y >= 0. Inverse sines, cosines and tangents add up to nothing where the sum 
 and points along the first axis. Logarithms add up to nothing where the product of their arguments
 is one, all of them being positive wherever the sum has a value.
 
-Rung: sums of arguments of plane vectors, such as atan2(y1, x1) + atan2(y2, x2) = atan2(y, x).
-
-Where x1 and x2 are positive, the sum lies between -pi and pi and is the argument of the product
-of both vectors taken as complex numbers. Two arguments are equal exactly if their vectors point
-the same way: no cross product, a positive scalar product; where they point does not matter then.
-Arctangents of numbers may be added up any number of times.
+Arguments of plane vectors, too, are added: atan2(y1, x1) + atan2(y2, x2), x1 and x2 being positive,
+lies between -pi and pi and is the argument of the product of both vectors taken as complex numbers.
+Two arguments are equal exactly if their vectors point the same way: no cross product, a positive
+scalar product; where they point does not matter then. Arctangents of numbers may be added up any
+number of times.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Rung: logarithms and powers with the signs they need, in one form.
+"""Rung: logarithms and powers with the signs they need, in one form; roots of squares.
 
 A power of a positive base is an exponential, the logarithm of a product of positive factors the sum
 of theirs. Where a sign is not shown nothing is rewritten, so that no branch is taken for another.
 
-Roots of squares, as in the lengths of arcs: they are moduli.
+Roots of squares, as in the lengths of arcs, are moduli.
 """
 
 from __future__ import annotations

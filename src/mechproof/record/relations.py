@@ -1,7 +1,6 @@
 """Relations: an inequality as a number that is positive, or not negative; where one holds.
 
-What parts of an expression need to have values: roots, logarithms, integrals, ...
-
+Such are also what parts of an expression need to have values: roots, logarithms, integrals.
 Denominators are no matter here: a statement is judged where none of them is zero.
 """
 

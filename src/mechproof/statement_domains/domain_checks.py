@@ -1,8 +1,7 @@
-"""What SymPy may be told of a symbol: no more than follows from its set, or from its limits.
+"""Checks of what is declared of a domain, and of what SymPy is told of its symbols.
 
-SymPy uses assumptions while an expression is built, so that one too many cannot be taken back.
-
-Checks of what is declared of a domain: sets, given symbols, relations.
+It may be told no more than follows from the set of a symbol, or from its limits: SymPy uses
+assumptions while an expression is built, so that one too many cannot be taken back.
 """
 
 from __future__ import annotations
