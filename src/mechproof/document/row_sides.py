@@ -167,11 +167,14 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
     # Of one denominator they could be whole periods apart.
     points = (sp.Rational(8, 13), sp.Rational(-17, 11), sp.Rational(32, 7))
     places = [{**values, letter: point} for point in points]
+    # Balls are the sooner; of what they do not know, or enclose widely, SymPy finds the value.
     with suppress(NotImplementedError):
-        # Most letters are not idle, which balls tell the sooner.
-        one, other = (balls.evaluate(side, place, 64) for place in places[:2])
-        if abs(one - other) > _SMALL:
+        one, *others = (balls.evaluate(side, place, 64) for place in places)
+        off = [abs(one - other) for other in others]
+        if any(distance > _SMALL for distance in off):
             return False
+        if all(distance < _SMALL for distance in off):
+            return True
     # Put in exactly, powers of powers would have no end.
     found = [side.evalf(subs=place) for place in places]
     return all(one.is_finite and abs(one - found[0]) < _SMALL for one in found)
