@@ -81,6 +81,20 @@ def test_an_edited_file_is_read_again(tmp_path: Path) -> None:
     assert not list(tmp_path.rglob("__pycache__"))
 
 
+def test_a_room_of_a_paper_may_be_a_folder(tmp_path: Path) -> None:
+    place = write_folder(tmp_path) / "large"
+    paper = (place / "paper.py").read_text()
+    write(place, paper=paper.replace(".._shared", ".rows"))
+    write(place, rows__notes="from ..._shared import CITATION\n")
+    (place / "rows" / "__init__.py").write_text("from .notes import CITATION\n")
+    assert load_paper(place).citation == "my notes"
+    write(place, rows__notes='CITATION = "theirs"\n')
+    assert load_paper(place).citation == "theirs"
+    write(place, rows__notes="\n1 / 0\n")
+    with pytest.raises(DerivationError, match=r"rows/notes\.py:2: ZeroDivisionError"):
+        load_paper(place)
+
+
 def test_no_modules_are_left_of_earlier_loads(tmp_path: Path) -> None:
     write_folder(tmp_path)
     load_paper(tmp_path / "large")

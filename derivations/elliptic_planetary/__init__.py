@@ -1,155 +1,11 @@
 """Paper 1: planetary mechanism with one internal cylindrical mesh and one elliptical pair."""
 
-from sympy import Expr, Rational, S, Symbol, diff, pi
+from mechproof.record import OnePass, Paper, PublishedSizes
 
-from mechproof.record import Check, Cost, Finding, OnePass, Paper, PublishedSizes, Weight
-
-from .._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
-from .design import DESIGN_QUANTITIES, DESIGN_ROWS
 from .kernels import QUANTITIES
-from .mechanics import PRINT, R1, R2, READER, VARIABLES, VARIANTS, a1, b1, e, phi1, phi5
-from .peaks import PEAK_QUANTITIES, PEAK_ROWS
-from .readings import CONSEQUENCES, HALF_WIDTHS, LIMITS, READINGS, TABLE_CLAIMS, TYPE_A_ROWS
-from .rows import DX_SUPPLIED, POSITION_CLAIMS, POSITION_ROWS, RATIO_ROWS, print_8, print_12
-
-DEGREE = pi / 180
-
-
-def place(variant: int, degrees: Expr | int) -> dict[Symbol, Expr]:
-    """Return the sizes of a variant and an angle of the carrier."""
-    sizes = dict(zip((R1, R2, e), VARIANTS[variant], strict=True))
-    return {**sizes, phi1: degrees * DEGREE}
-
-
-def start_of_8(variant: int) -> Expr:
-    """Return the ratio by (8) at the start, where phi5 = 0."""
-    return print_8.subs(phi5, S.Zero).subs(place(variant, 0))
-
-
-def at_quarter(member: Expr) -> Expr:
-    """Return what a member of (10) integrates at x = 90 degrees, for the smaller e."""
-    integrand = member.function.subs(member.variables[0], pi / 2)
-    return integrand.subs({a1: 1 + e**2, b1: 2 * e}).subs(e, VARIANTS[1][2])
-
-
-RIGHT_INTEGRAL, PRINTED_INTEGRAL = READER.members(DX_SUPPLIED)
-FINDINGS = (
-    Finding(
-        "(12)",
-        "With a_1 ± b_1 = (1 ± e)² the root in (11) is (1 + e)/(1 - e) itself: (12) has taken the "
-        "root once more, in both places. Besides, its arctangent falls back once in each turn of x "
-        "= R_1 φ_1/R_2, where the position goes on, so that on average the output makes "
-        "one turn for each turn of the carrier, not 1 + R_1/R_2.",
-        costs=tuple(
-            Cost(f"variant {variant}, {degrees}° of the carrier", "°", at=place(variant, degrees))
-            for variant, degrees in ((1, 30), (2, 30), (2, 90), (1, 360))
-        ),
-        follows=("(12) gives the position function",),
-        weight=Weight.CONCLUSION,
-        mend="(12) without its roots",
-        check=Check(
-            "At φ_1 = 0 the slope of (12) is 1 + R_1/R_2 = {0} in variants 1 and 2, whatever e; "
-            "(8) has {1} and {2} there.",
-            (diff(print_12, phi1).subs(phi1, 0).subs(place(1, 0)), start_of_8(1), start_of_8(2)),
-        ),
-        figure="fig-3",
-    ),
-    Finding(
-        INTERVAL,
-        "By (15) and (16) u is the uncertainty of the mean, so that mean ± 2u is an interval for "
-        "the mean error; it is called one of the errors, of which it covers only 11 to 12 %. Or "
-        "else the printed u is the standard deviation s, to which (15) was not applied.",
-        costs=costs_of_interval(READINGS, (1, 3)),
-        weight=Weight.CONCLUSION,
-        check=check_of_interval(READINGS[1]),
-    ),
-    Finding(
-        ADEQUACY,
-        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
-        "own numbers the interval of variant 3 excludes a mean error of zero, and the single "
-        "errors of variants 1, 2 and 4 scatter by more than two encoders with 0.3 % of 360° "
-        "allow; or u is not an uncertainty of the mean, but then all four means are far from "
-        "zero.",
-        costs=(
-            *costs_of_mean(READINGS, (3,)),
-            *(
-                Cost(
-                    f"variant {variant}",
-                    "°",
-                    printed=READINGS[variant].implied_scatter * DEGREE,
-                    right=LIMITS[variant] * DEGREE,
-                    names=("scatter u√n", "largest error of two encoders"),
-                )
-                for variant in (1, 2, 4)
-            ),
-        ),
-        weight=Weight.CONCLUSION,
-        check=Check(
-            "Variant 3, mean error over u: 0.68/0.28 = {0}, more than 2.",
-            (READINGS[3].mean / READINGS[3].uncertainty,),
-            1,
-        ),
-        figure="table-3",
-    ),
-    Finding(
-        "Table 3, interval 3",
-        "The interval of variant 3 is the mean plus or minus u; the other three, and the text, "
-        "have twice u. Half-width and u do not agree. Which of the two is the misprint is not "
-        "decided: either the half-width should be 0.56°, or the u of Table 3 should be 0.14°.",
-        costs=(
-            Cost(
-                "half-width of variant 3",
-                "°",
-                decimals=2,
-                printed=Rational(HALF_WIDTHS[3]) * DEGREE,
-                right=2 * READINGS[3].uncertainty * DEGREE,
-                names=("printed", "by the printed u"),
-            ),
-            Cost(
-                "u of variant 3",
-                "°",
-                decimals=2,
-                printed=READINGS[3].uncertainty * DEGREE,
-                right=Rational(HALF_WIDTHS[3]) / 2 * DEGREE,
-                names=("printed", "by the printed interval"),
-            ),
-        ),
-        weight=Weight.NUMBER,
-        check=Check(
-            "Half-width over u: 1.64/0.82 = {0}, 2.72/1.36 = {1} and 2.02/1.01 = {2} in variants "
-            "1, 2 and 4, but 0.28/0.28 = {3} in variant 3.",
-            tuple(
-                Rational(HALF_WIDTHS[variant]) / READINGS[variant].uncertainty
-                for variant in (1, 2, 4, 3)
-            ),
-            0,
-        ),
-        figure="table-3",
-    ),
-    Finding(
-        "(10), third equals sign",
-        "The fourth expression of (10) has cos²(x/2) in its numerator, where it belongs in the "
-        "denominator, and no differential dx; the fifth expression and (11) are right again.",
-        costs=tuple(
-            Cost(
-                f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",
-                decimals=3,
-                printed=PRINTED_INTEGRAL,
-                right=RIGHT_INTEGRAL,
-                at=place(variant, 90 * Rational(small, large)),
-            )
-            for variant, (large, small, eccentricity) in list(VARIANTS.items())[:2]
-        ),
-        follows=("(10), fourth equals sign",),
-        weight=Weight.FORMULA,
-        check=Check(
-            "At x = 90° and e = 0.28 the integrand of the first expression is 1/a_1 = {0}, that "
-            "of the fourth (1/2)/(2 a_1) = {1}.",
-            (at_quarter(RIGHT_INTEGRAL), at_quarter(PRINTED_INTEGRAL)),
-        ),
-    ),
-)
-
+from .mechanics import PRINT, R1, R2, VARIABLES, VARIANTS, e
+from .rows import ROWS
+from .rows.findings import FINDINGS
 
 ASIDE = {
     "S1": "title, authors and dates",
@@ -185,17 +41,8 @@ PAPER = Paper(
     notation=PRINT.notation,
     where=PRINT.where,
     print=PRINT.file,
-    rows=(
-        *RATIO_ROWS,
-        *POSITION_ROWS,
-        *POSITION_CLAIMS,
-        *TYPE_A_ROWS,
-        *TABLE_CLAIMS,
-        *CONSEQUENCES,
-        *PEAK_ROWS,
-        *DESIGN_ROWS,
-    ),
-    quantities=(*QUANTITIES, *PEAK_QUANTITIES, *DESIGN_QUANTITIES),
+    rows=ROWS,
+    quantities=QUANTITIES,
     derivatives=True,
     one_pass=(OnePass("motion", ("position", "ratio", "acceleration")),),
     published=tuple(

@@ -185,3 +185,7 @@ velocity_b = velocity_c + (rolling / omega1) * quarter_turn * (axis_b - axis_c)
 largest = 1 + k * (1 + e) / (1 - e)
 smallest = 1 + k * (1 - e) / (1 + e)
 non_uniformity = (largest - smallest) / (1 + k)
+
+RATIO = 1 + k * (1 - e**2) / (1 + e**2 - 2 * e * sp.cos(x))
+ACCELERATION = sp.diff(RATIO, x) * k
+JERK = sp.diff(ACCELERATION, x) * k

@@ -10,7 +10,7 @@ from mechproof.mechanisms import EllipticPlanetary
 from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
-from .readings import HALF_WIDTHS, READINGS
+from .rows.readings import HALF_WIDTHS, READINGS
 
 MECHANISMS = {number: EllipticPlanetary.published(number) for number in READINGS}
 LOOKS = {1: LineStyle.FIRST, 2: LineStyle.SECOND, 3: LineStyle.FIRST, 4: LineStyle.SECOND}

@@ -2,30 +2,14 @@
 
 from collections.abc import Callable
 
-from sympy import (
-    Abs,
-    Eq,
-    Expr,
-    Ge,
-    Integer,
-    Or,
-    Rational,
-    atan,
-    atan2,
-    cos,
-    diff,
-    floor,
-    pi,
-    sin,
-    tan,
-)
+import sympy as sp
 
 from mechproof.record import *
 
-from .._eccentric import on_branch
+from ..._eccentric import on_branch
+from ..mechanics import *
+from ..rows.position import print_8, print_12
 from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
-from .mechanics import *
-from .rows import print_8, print_12
 
 ARGUMENTS = (
     Argument("phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)),
@@ -34,11 +18,12 @@ ARGUMENTS = (
     Argument("e", (e,), "eccentricity of the ellipse", usual=(0, 0.28, 0.5, 0.9, 0.99, 1)),
 )
 
-RATIO = 1 + k * (1 - e**2) / (1 + e**2 - 2 * e * cos(x))
-ACCELERATION = diff(RATIO, x) * k
-
-ENDS_OF_E = (Singular(Eq(e, 1)), Singular(Eq(e, 0)))
-SINGULAR = (Singular(Eq(x, 2 * pi * turns)), Singular(Eq(x, pi + 2 * pi * turns)), *ENDS_OF_E)
+ENDS_OF_E = (Singular(sp.Eq(e, 1)), Singular(sp.Eq(e, 0)))
+SINGULAR = (
+    Singular(sp.Eq(x, 2 * sp.pi * turns)),
+    Singular(sp.Eq(x, sp.pi + 2 * sp.pi * turns)),
+    *ENDS_OF_E,
+)
 
 # Accuracy. With the low word, x is known to eps**2 relative, and what is left are the roundings of
 # some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
@@ -50,21 +35,21 @@ SINGULAR = (Singular(Eq(x, 2 * pi * turns)), Singular(Eq(x, pi + 2 * pi * turns)
 # have the envelope of |sin x|, |cos x| <= 1.
 # What a forward analysis proves, and the worst that is met, stand in the certificates.
 # Below 1e-290 the products with phi1 lose bits to the range of doubles.
-LEAST = Rational(1, 10**300)
+LEAST = sp.Rational(1, 10**300)
 LOW_WORD = (
-    Abs(x) <= 2**26,
-    Or(Eq(phi1, 0), Abs(phi1) >= Rational(1, 10**290)),
+    sp.Abs(x) <= 2**26,
+    sp.Or(sp.Eq(phi1, 0), sp.Abs(phi1) >= sp.Rational(1, 10**290)),
     R1 >= LEAST,
     R2 >= LEAST,
 )
 # k**2, and what it is divided by where e is next to 1.
 SQUARE_OF_SPEED = R1 <= 10**130 * R2
-SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
-EPS = Rational(1, 2**52)
-EPS_X = EPS * Abs(x)
+SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * sp.cos(x)) ** 2
+EPS = sp.Rational(1, 2**52)
+EPS_X = EPS * sp.Abs(x)
 RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
 ACCELERATION_SCALE = Scale(
-    "the value and what eps*x makes of it", Abs(ACCELERATION) + EPS_X * SLOPE
+    "the value and what eps*x makes of it", sp.Abs(ACCELERATION) + EPS_X * SLOPE
 )
 
 # Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
@@ -73,34 +58,34 @@ ACCELERATION_SCALE = Scale(
 # at most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is 2 eps,
 # whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
 # eps, however small the eccentricity: they have no such threshold but e = 0.
-PLAIN_PRODUCT = e <= Rational(1, 2)
+PLAIN_PRODUCT = e <= sp.Rational(1, 2)
 
-HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
+HALF_ANGLE = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
 
 
 def over_turns(code: EmittedForm) -> Statement:
     """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    whole = phi1 + x + 2 * atan2(e * sin(x), 1 - e * cos(x))
-    return on_branch(code.output(x), whole, {x: x + 2 * pi * turns}, turns)
+    whole = phi1 + x + 2 * sp.atan2(e * sp.sin(x), 1 - e * sp.cos(x))
+    return on_branch(code.output(x), whole, {x: x + 2 * sp.pi * turns}, turns)
 
 
 # Fourier series. Cut after n terms, its error starts with slope 0 at x = 0, where it vanishes, and
 # has the slope of `remainder` with e**n, n*x. Each further term takes no more from that than
 # `tail` falls, and both go to 0 with e**n: the error stays below `tail`. E stands for e**n and T
 # for n*x, so that one step proves every n.
-def remainder(power: Expr, angle: Expr) -> Expr:
+def remainder(power: sp.Expr, angle: sp.Expr) -> sp.Expr:
     """Slope of what is left of the series, power = e**n and angle = n*x."""
-    return 2 * power * e * (cos(angle + x) - e * cos(angle)) / (1 + e**2 - 2 * e * cos(x))
+    return 2 * power * e * (sp.cos(angle + x) - e * sp.cos(angle)) / (1 + e**2 - 2 * e * sp.cos(x))
 
 
-def tail(power: Expr, terms: Expr) -> Expr:
+def tail(power: sp.Expr, terms: sp.Expr) -> sp.Expr:
     """Bound of what is left of the series after `terms` terms, power = e**terms."""
     return 2 * power * e / ((terms + 1) * (1 - e))
 
 
 STEP_OF_SERIES = (
-    Equality(remainder(E, T) - remainder(E * e, T + x), 2 * E * e * cos(T + x)),
-    Holds(Ge(tail(E, nu) - tail(E * e, nu + 1), 2 * E * e / (nu + 1))),
+    Equality(remainder(E, T) - remainder(E * e, T + x), 2 * E * e * sp.cos(T + x)),
+    Holds(sp.Ge(tail(E, nu) - tail(E * e, nu + 1), 2 * E * e / (nu + 1))),
 )
 
 
@@ -111,16 +96,20 @@ def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
         form = code.output(x)
         return all_of(
             Equality(form.subs(x, 0), (1 + k) * phi1),
-            Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
+            Equality(
+                sp.diff(position_closed, x) - sp.diff(form, x), remainder(e**terms, terms * x)
+            ),
             *STEP_OF_SERIES,
         )
 
     return states
 
 
-def cut_series(terms: int) -> Expr:
+def cut_series(terms: int) -> sp.Expr:
     """Return the position by the series cut after so many terms."""
-    return (1 + k) * phi1 + sum(Rational(2, m) * e**m * sin(m * x) for m in range(1, terms + 1))
+    return (1 + k) * phi1 + sum(
+        sp.Rational(2, m) * e**m * sp.sin(m * x) for m in range(1, terms + 1)
+    )
 
 
 # Roundings of float32, u = 2**-24, in Clenshaw's recurrence
@@ -128,14 +117,14 @@ def cut_series(terms: int) -> Expr:
 # sum by |sin(m y)*d| <= |d|. A step loses 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the
 # cosine 3u of itself; coefficients and y lose u, the sine 3u and the product u. Up to |x| = 2**26
 # x, rounded twice, and its reduction lose 2**-26 each, and the two sums in double as much.
-IN_SINGLE = (e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)) / 2**24 + Rational(
+IN_SINGLE = (e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)) / 2**24 + sp.Rational(
     1, 2**24
 )
 
 
 def fourier(terms: int, single: bool = False) -> Form:
     """Make the form of a series cut after so many terms, computed in doubles or in float32."""
-    bound = tail(e**terms, Integer(terms))
+    bound = tail(e**terms, sp.Integer(terms))
     return Form(
         f"Fourier series, {terms} terms" + (", float32" if single else ""),
         cut_series(terms),
@@ -151,10 +140,10 @@ def fourier(terms: int, single: bool = False) -> Form:
 # 1: 1/2 eps each, 3 eps if all are in one direction.
 EXTREME = Accuracy(3, within=(R1 <= 10**300 * R2,))
 
-HALF_TANGENT = tan(x / 2)
+HALF_TANGENT = sp.tan(x / 2)
 SOURCE = "Prikhodko et al. 2024"
 EXTREMES = f"extremes of {SOURCE}, equation (8)"
-QUANTITIES = (
+MOTION = (
     Quantity(
         "ratio",
         "Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.",
@@ -178,7 +167,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (8)",
         accuracy=Accuracy(10, RATIO_SCALE, LOW_WORD),
         singular=SINGULAR,
-        periodicity=Periodicity(2 * pi / k),
+        periodicity=Periodicity(2 * sp.pi / k),
     ),
     Quantity(
         "position",
@@ -216,7 +205,7 @@ QUANTITIES = (
             ),
             Form(
                 "tan/arctan + floor",
-                position_principal + 2 * pi * floor((x + pi) / (2 * pi)),
+                position_principal + 2 * sp.pi * sp.floor((x + sp.pi) / (2 * sp.pi)),
                 key="floor",
                 states=over_turns,
                 on=BRANCH,
@@ -226,13 +215,13 @@ QUANTITIES = (
             Form("x + 2 atan2, 1 - e cos x", position_closed, key="atan2"),
             Form(
                 "x + 2 atan2, no cancellation",
-                (1 + k) * phi1 + 2 * atan2(e * sin(x), nearest + 2 * e * sin(x / 2) ** 2),
+                (1 + k) * phi1 + 2 * sp.atan2(e * sp.sin(x), nearest + 2 * e * sp.sin(x / 2) ** 2),
                 key="atan2_stable",
             ),
             Form(
                 "tan-half, by hand",
                 (1 + k) * phi1
-                + 2 * atan(2 * e * HALF_TANGENT / (nearest + (1 + e) * HALF_TANGENT**2)),
+                + 2 * sp.atan(2 * e * HALF_TANGENT / (nearest + (1 + e) * HALF_TANGENT**2)),
                 key="tan_half",
             ),
             *map(fourier, (2, 4, 8)),
@@ -242,8 +231,8 @@ QUANTITIES = (
         unit="rad",
         accuracy=Accuracy(5.5, within=LOW_WORD),
         singular=SINGULAR,
-        period=2 * pi,
-        periodicity=Periodicity(2 * pi / k, 2 * pi * (1 + k) / k),
+        period=2 * sp.pi,
+        periodicity=Periodicity(2 * sp.pi / k, 2 * sp.pi * (1 + k) / k),
     ),
     Quantity(
         "acceleration",
@@ -260,7 +249,7 @@ QUANTITIES = (
             Form("1 + e**2 - 2 e cos x", ACCELERATION, key="direct"),
             Form(
                 "half-angle sine",
-                -2 * e * k**2 * (1 - e) * (1 + e) * sin(x) / HALF_ANGLE**2,
+                -2 * e * k**2 * (1 - e) * (1 + e) * sp.sin(x) / HALF_ANGLE**2,
                 key="half_angle",
             ),
         ),
@@ -268,10 +257,10 @@ QUANTITIES = (
         accuracy=Accuracy(
             16,
             ACCELERATION_SCALE,
-            (*LOW_WORD, SQUARE_OF_SPEED, Or(Eq(e, 0), Ge(e, Rational(1, 10**200)))),
+            (*LOW_WORD, SQUARE_OF_SPEED, sp.Or(sp.Eq(e, 0), sp.Ge(e, sp.Rational(1, 10**200)))),
         ),
         singular=SINGULAR,
-        periodicity=Periodicity(2 * pi / k),
+        periodicity=Periodicity(2 * sp.pi / k),
     ),
     Quantity(
         "largest_ratio",

@@ -4,7 +4,7 @@ from sympy import Expr, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart
 
-from .._eccentric import (
+from ..._eccentric import (
     ANGLE_X,
     OFF_PI,
     UP_TO_HALF,
@@ -19,7 +19,7 @@ from .._eccentric import (
     first_turn_of_jerk,
     next_to_pi,
 )
-from .mechanics import *
+from ..mechanics import *
 
 # In all of them: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)
@@ -78,34 +78,4 @@ BESIDE_THRESHOLD = tuple(
         (e, e, Interval(Rational(BEHIND), UP_TO_HALF.end)),
         (1 - D, D, UP_TO_HALF),
     )
-)
-
-# What is wanted beside the radii.
-PART = Symbol("part", positive=True)
-
-
-def wish(wanted: Symbol, value: Expr, inverse: Expr = INVERSE) -> Chart:
-    """Make the chart of what is wanted, by 1/k and a share."""
-    arguments = {R1: RADIUS, R2: inverse * RADIUS, wanted: value}
-    return Chart("", arguments, {**FREE, PART: Interval(0, 1)})
-
-
-FOR_LARGEST = (wish(largest_wanted, 1 + 1 / (INVERSE * PART)),)
-FOR_SMALLEST = (wish(smallest_wanted, 1 + PART / INVERSE),)
-FOR_NON_UNIFORMITY = tuple(wish(non_uniformity_wanted, value) for value in (PART, 1 / PART))
-# Beyond 2 by whether it or k**2 is the larger.
-FOR_QUOTIENT = (
-    wish(quotient_wanted, 1 + PART),
-    wish(quotient_wanted, 1 + 1 / (INVERSE**2 * PART)),
-    wish(quotient_wanted, 1 + 1 / INVERSE**2, INVERSE * PART),
-)
-# The largest ratio is beyond 2; the smallest is nearly as large, or not.
-INVERSE_ROOT = Symbol("1/sqrt(i - 1)", positive=True)
-FOR_EXTREMES = tuple(
-    Chart(
-        "",
-        {largest_wanted: 1 + 1 / INVERSE_ROOT**2, smallest_wanted: 1 + share / INVERSE_ROOT**2},
-        {INVERSE_ROOT: Interval(0, 1), part: Interval(0, Rational(3, 4))},
-    )
-    for share, part in ((1 - D, D), (PART**2, PART))
 )

@@ -4,10 +4,10 @@ from sympy import Abs, Expr, Ge, Gt, Integral, Ne, Rational, atan, cos, diff, pi
 
 from mechproof.record import *
 
-from .. import _readings
-from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
-from .mechanics import *
-from .rows import ROOT, of_variant, print_8
+from ... import _readings
+from ..._metrology import estimate_row, qbar, s2, s2_mean, u_mean
+from ..mechanics import *
+from .position import ROOT, of_variant, print_8
 
 TYPE_A_ROWS = (
     PRINT.equation("(13)", defines=(qbar,), note="The mean of the readings."),

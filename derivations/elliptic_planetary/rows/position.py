@@ -4,7 +4,7 @@ from sympy import Expr, Ge, Integral, Matrix, S, atan, diff, oo, pi, sqrt, tan
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 EQUATION_8 = PRINT.equation("(8)", derived={slope: ratio_by_plan}, marks=("inferred",))
 _, print_8 = READER.members(EQUATION_8)

@@ -3,15 +3,12 @@
 Written without differences of like numbers but those that the wanted ratios themselves make.
 """
 
-from sympy import Eq, Expr, Integer, diff, sqrt
+from sympy import Expr, diff, sqrt
 
 from mechproof.record import *
 
-from . import charts
-from .kernels import ARGUMENTS, SOURCE
-from .mechanics import *
+from ..mechanics import *
 
-ONE = Integer(1)
 # With r = (1 + e)/(1 - e) the largest ratio is 1 + k*r and the smallest 1 + k/r.
 OF_LARGEST = (largest_wanted - 1 - k) / (largest_wanted - 1 + k)
 OF_SMALLEST = (k - (smallest_wanted - 1)) / (k + (smallest_wanted - 1))
@@ -110,119 +107,5 @@ DESIGN_ROWS = (
             "eccentricity_of_quotient",
             "eccentricity_of_non_uniformity",
         ),
-    ),
-)
-
-# Accuracy, in eps: of the difference the roundings of i - 1 and of k remain, 1/2 of i - 1 + k, and
-# with its own, those of the sum and that of the quotient 2.5 of 1. The rest are sums and roots of
-# positive terms; all roundings in one direction make 9, 6, 4 and 2 of the value.
-IN_UNITS = Scale("1", ONE)
-RADII = ARGUMENTS[1:3]
-MODERATE = (R1 <= 10**100 * R2,)
-
-
-def ratio_argument(name: str, symbol: Expr, meaning: str, *usual: float) -> Argument:
-    """Make an argument that says what is wanted."""
-    return Argument(name, (symbol,), meaning, usual=usual)
-
-
-WANT_LARGEST = ratio_argument("largest", largest_wanted, "largest ratio wanted", 2, 20)
-WANT_SMALLEST = ratio_argument("smallest", smallest_wanted, "smallest ratio wanted", 1.1, 5)
-
-
-def inverse(
-    name: str,
-    summary: str,
-    arguments: tuple[Argument, ...],
-    value: Expr,
-    accuracy: Accuracy,
-    covering: tuple[Chart, ...],
-    on: Part | None = None,
-    singular: tuple[Singular, ...] = (),
-    slopes: Accuracy | None = SLOPES,
-) -> Quantity:
-    """Make a quantity of what is wanted."""
-    return Quantity(
-        name,
-        summary,
-        arguments,
-        value,
-        (Form("quotient", value, charts=covering),),
-        f"inverse of the extremes of {SOURCE}, equation (8)",
-        accuracy=accuracy,
-        on=on,
-        singular=singular,
-        slopes=slopes,
-    )
-
-
-DESIGN_QUANTITIES = (
-    inverse(
-        "eccentricity_of_largest_ratio",
-        "Compute the eccentricity at which the largest ratio has a wanted value.",
-        (WANT_LARGEST, *RADII),
-        OF_LARGEST,
-        Accuracy(2.5, IN_UNITS, MODERATE),
-        charts.FOR_LARGEST,
-        REACHED_LARGEST,
-        (Singular(Eq(largest_wanted, 1 + k)),),
-    ),
-    inverse(
-        "eccentricity_of_smallest_ratio",
-        "Compute the eccentricity at which the smallest ratio has a wanted value.",
-        (WANT_SMALLEST, *RADII),
-        OF_SMALLEST,
-        Accuracy(2.5, IN_UNITS, MODERATE),
-        charts.FOR_SMALLEST,
-        REACHED_SMALLEST,
-        (Singular(Eq(smallest_wanted, 1 + k)),),
-    ),
-    inverse(
-        "eccentricity_of_quotient",
-        "Compute the eccentricity at which the largest ratio is a wanted multiple of the smallest.",
-        (ratio_argument("quotient", quotient_wanted, "largest over smallest ratio", 1, 20), *RADII),
-        OF_QUOTIENT,
-        Accuracy(9, within=(*MODERATE, quotient_wanted <= 10**100)),
-        charts.FOR_QUOTIENT,
-        singular=(Singular(Eq(quotient_wanted, 1)),),
-    ),
-    inverse(
-        "eccentricity_of_non_uniformity",
-        "Compute the eccentricity for a wanted (largest - smallest ratio)/(mean ratio).",
-        (
-            ratio_argument(
-                "non_uniformity",
-                non_uniformity_wanted,
-                "(largest - smallest ratio)/(mean ratio) wanted",
-                0,
-                10,
-            ),
-            *RADII,
-        ),
-        OF_NON_UNIFORMITY,
-        Accuracy(6, within=(*MODERATE, non_uniformity_wanted <= 10**50)),
-        charts.FOR_NON_UNIFORMITY,
-        singular=(Singular(Eq(non_uniformity_wanted, 0)),),
-        # Near a ratio that does not vary they would cancel.
-        slopes=None,
-    ),
-    inverse(
-        "eccentricity_of_extremes",
-        "Compute the eccentricity at which both extremes of the ratio have wanted values.",
-        (WANT_LARGEST, WANT_SMALLEST),
-        OF_BOTH,
-        Accuracy(4),
-        charts.FOR_EXTREMES,
-        REACHED_BOTH,
-        (Singular(Eq(largest_wanted, smallest_wanted)),),
-    ),
-    inverse(
-        "radii_of_extremes",
-        "Compute R1/R2 at which both extremes of the ratio have wanted values.",
-        (WANT_LARGEST, WANT_SMALLEST),
-        RADII_OF_BOTH,
-        Accuracy(2),
-        charts.FOR_EXTREMES,
-        REACHED_BOTH,
     ),
 )
