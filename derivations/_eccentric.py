@@ -1,4 +1,4 @@
-"""What papers 1 and 2 share of an angle x and an eccentricity e: places, branches, a jerk's terms.
+"""What papers 1 and 2 share of an angle x and an eccentricity e: ellipses, places, branches, jerks.
 
 A place is x, e and the ranges of their coordinates, in which what vanishes is a product of powers.
 With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
@@ -12,6 +12,8 @@ from sympy import Expr, Interval, Rational, Symbol
 
 from mechproof.record import Equality
 
+from ._linear import solve_linear
+
 Ranges: TypeAlias = Mapping[Symbol, Interval]
 Place: TypeAlias = tuple[Expr, Expr, Ranges]
 
@@ -23,6 +25,24 @@ WITHIN_TURN = "|x| <= 22/7"
 # Next to x = pi the low word is as large as what is left of x, and no bound sees that they belong
 # together: so little is left out. Beyond half a turn x is known by it alone.
 OFF_PI = f"{WITHIN_TURN} and |pi - |x|| >= 2**-40"
+
+
+def radius_from_focus(a: Expr, e: Expr, theta: Expr) -> Expr:
+    """Radius of an ellipse from a focus: the distances to both foci, 2 a e apart, add up to 2 a."""
+    r = Symbol("r", real=True)
+    to_other_squared = r**2 - 4 * a * e * r * sp.cos(theta) + 4 * a**2 * e**2
+    return solve_linear(sp.Eq((2 * a - r) ** 2, to_other_squared), r)
+
+
+def roll(e: Expr, angle: Expr) -> tuple[Expr, Expr]:
+    """Cosine and sine of the angle that a congruent ellipse has reached by rolling on another.
+
+    It is ahead of its driver by twice atan(y/x).
+    """
+    cosine, sine = sp.cos(angle), sp.sin(angle)
+    y, x = e * sine, 1 - e * cosine
+    ahead = (x**2 - y**2) / (x**2 + y**2), 2 * x * y / (x**2 + y**2)
+    return cosine * ahead[0] - sine * ahead[1], sine * ahead[0] + cosine * ahead[1]
 
 
 def list_places(e: Symbol, farthest: Expr, widest: Expr, roundest: Interval) -> tuple[Place, ...]:
@@ -76,3 +96,9 @@ def jerk_terms(factor: Expr, e: Symbol, x: Expr, eps_x: Expr) -> Expr:
     slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
     larger = sp.Max(factor / spread**2, 4 * factor * e * sp.sin(x) ** 2 / spread**3)
     return larger + factor * eps_x * sine * slope / spread**4
+
+
+def jerk_quotient(factor: Expr, e: Expr, x: Expr) -> Expr:
+    """Return a jerk as one quotient."""
+    spread = 1 + e**2 - 2 * e * sp.cos(x)
+    return factor * (sp.cos(x) * spread - 4 * e * sp.sin(x) ** 2) / spread**3

@@ -6,22 +6,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.record import Peer
+
 Array = NDArray[np.float64]
 
 
-def sum_by_simpson(ratio: Callable[..., Any]) -> Callable[..., Array]:
-    """Make the integral of the samples of a ratio."""
+def sum_by_simpson(ratio: Callable[..., Any], note: str = "") -> Peer:
+    """Make the peer that sums the samples of a ratio."""
 
     def integrate(phi1: Array, *sizes: Array) -> Array:
         from scipy.integrate import cumulative_simpson
 
         return np.asarray(cumulative_simpson(ratio(phi1, *sizes), x=phi1, initial=0))
 
-    return integrate
+    return Peer("cumulative Simpson", integrate, ordered=True, note=note)
 
 
-def solve_by_steps(ratio: Callable[..., Any]) -> Callable[..., Array]:
-    """Make the solution of the differential equation, with the tightest usual tolerance."""
+def solve_by_steps(ratio: Callable[..., Any]) -> Peer:
+    """Make the peer that solves the differential equation, with the tightest usual tolerance."""
 
     def integrate(phi1: Array, *sizes: Array) -> Array:
         from scipy.integrate import solve_ivp
@@ -32,4 +34,5 @@ def solve_by_steps(ratio: Callable[..., Any]) -> Callable[..., Array]:
         )  # fmt: skip
         return np.asarray(done.y[0])
 
-    return integrate
+    note = "the solver controls an estimate of the local error"
+    return Peer("solve_ivp, DOP853 1e-12", integrate, ordered=True, slow=True, note=note)

@@ -196,14 +196,14 @@ def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]
     )
 
 
-def costs_of_interval(
-    readings: Mapping[int, Readings], variants: Sequence[int]
-) -> tuple[Cost, ...]:
-    """Return what the interval holds of single errors, and how wide theirs is."""
-    return tuple(
+def interval_finding(
+    readings: Mapping[int, Readings], of_mean: str, of_root: str, called: str = "one of the errors"
+) -> Finding:
+    """Say what the interval holds of single errors, and how wide theirs is, in variants 1 and 3."""
+    costs = (
         cost
         for variant, line in readings.items()
-        if variant in variants
+        if variant in (1, 3)
         for cost in (
             Cost(
                 f"variant {variant}, share of single errors within mean ± 2u",
@@ -222,6 +222,20 @@ def costs_of_interval(
             ),
         )
     )
+    count = readings[1].count
+    return Finding(
+        INTERVAL,
+        f"By {of_mean} and {of_root} u is the uncertainty of the mean, so that mean ± 2u is an "
+        f"interval for the mean error; it is called {called}, of which it covers only 11 to 12 %. "
+        f"Or else the printed u is the standard deviation s, to which {of_mean} was not applied.",
+        costs=tuple(costs),
+        weight=Weight.CONCLUSION,
+        check=Check(
+            f"2u = 2s/√n, which is {{0}} s for n = {count}; a table of the normal law has the "
+            "share {1} within so many standard deviations, not 0.95.",
+            (2 / sqrt(count), erf(sqrt(2) / sqrt(count))),
+        ),
+    )
 
 
 def costs_of_mean(readings: Mapping[int, Readings], variants: Sequence[int]) -> tuple[Cost, ...]:
@@ -236,13 +250,4 @@ def costs_of_mean(readings: Mapping[int, Readings], variants: Sequence[int]) -> 
             names=("mean error", "2u"),
         )
         for variant in variants
-    )
-
-
-def check_of_interval(line: Readings) -> Check:
-    """Return how many per cent of a normal law are so near its mean."""
-    return Check(
-        f"2u = 2s/√n, which is {{0}} s for n = {line.count}; a table of the normal law has the "
-        "share {1} within so many standard deviations, not 0.95.",
-        (2 / sqrt(line.count), erf(sqrt(2) / sqrt(line.count))),
     )

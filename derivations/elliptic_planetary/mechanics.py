@@ -12,6 +12,7 @@ from mechproof.document.transcription import Transcription
 from mechproof.latex import Reader
 from mechproof.record import ANGLE, LENGTH, Part, Variable
 
+from .._eccentric import radius_from_focus, roll
 from .._linear import solve_linear
 from .._metrology import TYPE_A_VARIABLES
 from .._readings import ENCODER_VARIABLES
@@ -33,10 +34,8 @@ ABOVE_ONE = sp.Interval.open(1, sp.oo)
 turns = sp.Symbol("m_turns", integer=True)
 nu, E = sp.symbols("nu E", positive=True)
 
-# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
-r, theta = sp.symbols("r theta", real=True)
-second_focus_squared = r**2 - 4 * a * e * r * sp.cos(theta) + 4 * a**2 * e**2
-focal_radius = solve_linear(sp.Eq((2 * a - r) ** 2, second_focus_squared), r)
+theta = sp.Symbol("theta", real=True)
+focal_radius = radius_from_focus(a, e, theta)
 
 VARIABLES = (
     Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
@@ -149,13 +148,9 @@ ratio_by_inversion = 1 + wheel_3_against_carrier
 def radius_of_mate(angle: sp.Expr) -> sp.Expr:
     """Radius of the congruent ellipse at the angle it has reached by rolling from its far end.
 
-    It has turned by angle + 2 delta, tan(delta) = y/x below; its polar angle is measured from
-    the side away from its own centre of rotation.
+    Its polar angle is measured from the side away from its own centre of rotation.
     """
-    y, x_ = e * sp.sin(angle), 1 - e * sp.cos(angle)
-    cos_2delta = (x_**2 - y**2) / (x_**2 + y**2)
-    sin_2delta = 2 * x_ * y / (x_**2 + y**2)
-    cos_turned = sp.cos(angle) * cos_2delta - sp.sin(angle) * sin_2delta
+    cos_turned, _ = roll(e, angle)
     return a * (1 - e**2) / (1 + e * cos_turned)
 
 

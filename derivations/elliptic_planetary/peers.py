@@ -75,15 +75,9 @@ PEERS: Mapping[str, tuple[Peer, ...]] = {
             ordered=True,
             note="right only if no step of the samples turns the output by pi",
         ),
-        Peer("cumulative Simpson", sum_by_simpson(kernels.ratio), ordered=True),
+        sum_by_simpson(kernels.ratio),
         Peer("cubic spline, 1024 knots", interpolate),
-        Peer(
-            "solve_ivp, DOP853 1e-12",
-            solve_by_steps(kernels.ratio),
-            ordered=True,
-            slow=True,
-            note="the solver controls an estimate of the local error",
-        ),
+        solve_by_steps(kernels.ratio),
         Peer(
             "scipy.stats.wrapcauchy",
             distribute,

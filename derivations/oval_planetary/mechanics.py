@@ -13,6 +13,7 @@ import sympy as sp
 from mechproof.document.transcription import Transcription
 from mechproof.record import ANGLE, LENGTH, Variable, list_given
 
+from .._eccentric import radius_from_focus
 from .._linear import solve_linear
 from .._metrology import POSITIVE, TYPE_A_VARIABLES
 from .._readings import ENCODER_VARIABLES
@@ -25,7 +26,7 @@ AC, EC, BC, BD, CD, DE = PRINT.symbols("AC EC BC BD CD DE")
 (ratio_symbol,) = PRINT.symbols("varphi3'")
 
 # What the mechanics, the forms and the proofs need besides.
-mount, k, x, theta, r, tau, start = sp.symbols("mount k x theta r tau c", real=True)
+mount, k, x, theta, tau, start = sp.symbols("mount k x theta tau c", real=True)
 R4, R5, rho3, span = sp.symbols("R4 R5 rho3 L", positive=True)
 s, sB, sC, sD, omega_satellite, omega_out = sp.symbols("s s_B s_C s_D omega_5 omega_3", real=True)
 alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
@@ -78,10 +79,8 @@ satellite_against_carrier = -sun_against_carrier * (2 * a - rho5) / rho5
 wheel_3_against_carrier = -satellite_against_carrier * rho6 / (2 * a - rho6)
 ratio_by_inversion = 1 + wheel_3_against_carrier
 
-# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a. The oval has
-# at half the polar angle the radius of the ellipse.
-second_focus_squared = r**2 - 4 * a * e * r * sp.cos(theta) + 4 * a**2 * e**2
-focal_radius = solve_linear(sp.Eq((2 * a - r) ** 2, second_focus_squared), r)
+# The oval has at half the polar angle the radius of the ellipse seen from a focus.
+focal_radius = radius_from_focus(a, e, theta)
 
 
 def oval_radius(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
@@ -96,20 +95,8 @@ def pair_ratio(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     return sp.cancel(radius / (2 * a - radius))
 
 
-def roll(eccentricity: sp.Expr, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Cosine and sine of twice the angle of the driven wheel, by the angle of the driver.
-
-    It is ahead of the driver by lead = atan(y/x): see `driven_angle`.
-    """
-    cosine, sine = sp.cos(2 * angle), sp.sin(2 * angle)
-    y, x_ = eccentricity * sine, 1 - eccentricity * cosine
-    cos_2lead = (x_**2 - y**2) / (x_**2 + y**2)
-    sin_2lead = 2 * x_ * y / (x_**2 + y**2)
-    return cosine * cos_2lead - sine * sin_2lead, sine * cos_2lead + cosine * sin_2lead
-
-
 def roll_reduced(eccentricity: sp.Expr, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Give the same as `roll` in the fewest terms."""
+    """Cosine and sine of twice the angle of the driven wheel, by `roll` in the fewest terms."""
     cosine, sine = sp.cos(2 * angle), sp.sin(2 * angle)
     square = 1 + eccentricity**2 - 2 * eccentricity * cosine
     return (

@@ -1,7 +1,6 @@
 """Ways to get the numbers of paper 2 that are no formulas: branches joined, integrals, solvers."""
 
 from collections.abc import Callable, Mapping
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -47,25 +46,14 @@ def list_peers(ratio: Callable[..., Any], unwrap: Callable[..., Any]) -> tuple[P
             ordered=True,
             note="right only if no step of the samples turns a wheel by half of pi",
         ),
-        Peer(
-            "cumulative Simpson",
-            sum_by_simpson(ratio),
-            ordered=True,
-            note="a bound would need the fourth derivative of the ratio over the samples",
+        sum_by_simpson(
+            ratio, "a bound would need the fourth derivative of the ratio over the samples"
         ),
-        Peer(
-            "solve_ivp, DOP853 1e-12",
-            solve_by_steps(ratio),
-            ordered=True,
-            slow=True,
-            note="the solver controls an estimate of the local error",
-        ),
+        solve_by_steps(ratio),
     )
 
 
-PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
-    {
-        "position": list_peers(kernels.ratio, unwrap_ovals),
-        "position_cylindrical": list_peers(kernels.ratio_cylindrical, unwrap_cylindrical),
-    }
-)
+PEERS: Mapping[str, tuple[Peer, ...]] = {
+    "position": list_peers(kernels.ratio, unwrap_ovals),
+    "position_cylindrical": list_peers(kernels.ratio_cylindrical, unwrap_cylindrical),
+}

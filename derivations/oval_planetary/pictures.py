@@ -8,7 +8,7 @@ from mechproof.mechanisms import OvalPlanetary
 from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
-from .readings import READINGS
+from .rows.readings import READINGS
 
 MECHANISMS = {number: OvalPlanetary.published(number) for number in READINGS}
 # |ratio| up to which the output counts as at rest; the paper states none.

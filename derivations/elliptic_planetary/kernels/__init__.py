@@ -1,7 +1,5 @@
 """What can be computed of paper 1."""
 
-from .design import DESIGN
-from .motion import MOTION
-from .peaks import PEAKS
+from . import design, motion, peaks
 
-QUANTITIES = (*MOTION, *PEAKS, *DESIGN)
+QUANTITIES = (*motion.QUANTITIES, *peaks.QUANTITIES, *design.QUANTITIES)

@@ -83,7 +83,7 @@ def inverse(
     )
 
 
-DESIGN = (
+QUANTITIES = (
     inverse(
         "eccentricity_of_largest_ratio",
         "Compute the eccentricity at which the largest ratio has a wanted value.",

@@ -143,7 +143,7 @@ EXTREME = Accuracy(3, within=(R1 <= 10**300 * R2,))
 HALF_TANGENT = sp.tan(x / 2)
 SOURCE = "Prikhodko et al. 2024"
 EXTREMES = f"extremes of {SOURCE}, equation (8)"
-MOTION = (
+QUANTITIES = (
     Quantity(
         "ratio",
         "Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.",

@@ -4,13 +4,11 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._eccentric import jerk_terms
+from ..._eccentric import jerk_quotient, jerk_terms
 from ..mechanics import *
 from ..rows import peaks
 from . import motion
 from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
-
-SPREAD = 1 + e**2 - 2 * e * sp.cos(x)
 
 # Accuracy, in eps, every rounding 1/2 and all in one direction; atan2 within an ulp. square 0.75,
 # root_acceleration 1.75, BOTH 2.25, peak_acceleration 2.7: the angle 6.7; the acceleration 19.5,
@@ -58,7 +56,7 @@ def of_sizes(
 
 
 AT_THRESHOLD = (Singular(sp.Eq(10 * e, square)),)
-PEAKS = (
+QUANTITIES = (
     Quantity(
         "jerk",
         "Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.",
@@ -67,12 +65,7 @@ PEAKS = (
         (
             Form(
                 "half-angle quotient with low word",
-                -2
-                * e
-                * k**3
-                * (1 - e**2)
-                * (sp.cos(x) * SPREAD - 4 * e * sp.sin(x) ** 2)
-                / SPREAD**3,
+                jerk_quotient(-2 * e * k**3 * (1 - e**2), e, x),
                 ("low_word", "half_angle_tangent"),
                 charts=OF_JERK,
                 mirrors=((phi1,),),

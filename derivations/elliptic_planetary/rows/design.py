@@ -51,7 +51,7 @@ def inverse_row(
     )
 
 
-DESIGN_ROWS = (
+ROWS = (
     inverse_row(
         "largest ratio",
         ("eccentricity_of_largest_ratio",),

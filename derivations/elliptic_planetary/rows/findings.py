@@ -4,7 +4,7 @@ from sympy import Expr, Rational, S, Symbol, diff, pi
 
 from mechproof.record import Check, Cost, Finding, Weight
 
-from ..._readings import ADEQUACY, INTERVAL, check_of_interval, costs_of_interval, costs_of_mean
+from ..._readings import ADEQUACY, costs_of_mean, interval_finding
 from ..mechanics import *
 from .position import DX_SUPPLIED, print_8, print_12
 from .readings import HALF_WIDTHS, LIMITS, READINGS
@@ -51,15 +51,7 @@ FINDINGS = (
         ),
         figure="fig-3",
     ),
-    Finding(
-        INTERVAL,
-        "By (15) and (16) u is the uncertainty of the mean, so that mean ± 2u is an interval for "
-        "the mean error; it is called one of the errors, of which it covers only 11 to 12 %. Or "
-        "else the printed u is the standard deviation s, to which (15) was not applied.",
-        costs=costs_of_interval(READINGS, (1, 3)),
-        weight=Weight.CONCLUSION,
-        check=check_of_interval(READINGS[1]),
-    ),
+    interval_finding(READINGS, "(15)", "(16)"),
     Finding(
         ADEQUACY,
         "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "

@@ -70,7 +70,7 @@ def cosine_of(t_squared: sp.Expr) -> sp.Expr:
     return (1 - t_squared) / (1 + t_squared)
 
 
-PEAK_ROWS = (
+ROWS = (
     ours(
         "acceleration, where it turns",
         r"\frac{d\varphi_3''}{dx}=-2e\left(\tfrac{R_1}{R_2}\right)^2(1-e^2)"

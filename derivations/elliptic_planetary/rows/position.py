@@ -252,3 +252,5 @@ POSITION_CLAIMS = (
         quantities=("largest_ratio", "smallest_ratio"),
     ),
 )
+
+ROWS = (*RATIO_ROWS, *POSITION_ROWS, *POSITION_CLAIMS)

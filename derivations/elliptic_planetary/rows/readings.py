@@ -182,3 +182,5 @@ CONSEQUENCES = (
         distances=("16", "10", "34", "12"),
     ),
 )
+
+ROWS = (*TYPE_A_ROWS, *TABLE_CLAIMS, *CONSEQUENCES)

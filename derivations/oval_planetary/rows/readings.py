@@ -4,9 +4,9 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .. import _readings
-from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean
-from .mechanics import *
+from ... import _readings
+from ..._metrology import estimate_row, qbar, s2, s2_mean, u_mean
+from ..mechanics import *
 from .pairs import edge, fastest
 from .variants import DWELL_3, VARIANTS, ratio_1, with_cylinders
 
@@ -194,3 +194,5 @@ CONSEQUENCES = (
         distances=("57", "12", "170", "50"),
     ),
 )
+
+ROWS = (*MEASUREMENT_ROWS, *CONCLUSION_ROWS, *CONSEQUENCES)

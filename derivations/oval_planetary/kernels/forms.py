@@ -6,9 +6,9 @@ import sympy as sp
 
 from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
-from .._eccentric import on_branch
-from .equations import print_radius
-from .mechanics import *
+from ..._eccentric import on_branch
+from ..mechanics import *
+from ..rows.equations import print_radius
 
 # All coefficients divided by 1 - e2, and beta + gamma*t split into less + y. y has the sine of the
 # mounted wheel's angle as a factor and is large beside the rest as e2 -> 1; rounded once, it

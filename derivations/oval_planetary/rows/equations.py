@@ -4,7 +4,8 @@ import sympy as sp
 
 from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Reading, all_of, ours
 
-from .mechanics import *
+from ..._eccentric import roll
+from ..mechanics import *
 
 # What is printed, for claims and kernels.
 (_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(read, ("(2)", "(5)", "(7)", "(10)"))
@@ -30,10 +31,10 @@ slope = sp.diff(oval, phi)
 
 # Positive where the curve bends towards its centre.
 bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
-mate_cosine, _ = roll(e, phi)
+mate_cosine, _ = roll(e, 2 * phi)
 mate = oval_radius(e, -mate_cosine)
 
-EQUATION_ROWS = (
+ROWS = (
     PRINT.equation(
         "(1)",
         defines=(ratio_symbol,),
@@ -120,7 +121,7 @@ EQUATION_ROWS = (
         all_of(
             *(
                 Equality(one, two)
-                for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
+                for one, two in zip(roll_reduced(e, phi1), roll(e, 2 * phi1), strict=True)
             )
         ),
         quantities=("position", "ratio"),

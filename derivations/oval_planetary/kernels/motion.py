@@ -4,11 +4,11 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .._eccentric import on_branch
+from ..._eccentric import on_branch
+from ..mechanics import *
+from ..rows.equations import print_10, print_radius
 from . import forms
 from .charts import MOUNTED, MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, PLAIN, SMOOTH, STEEP
-from .equations import print_10, print_radius
-from .mechanics import *
 
 BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
 

@@ -7,7 +7,7 @@ from sympy import Expr, Integer, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart
 
-from .._eccentric import (
+from ..._eccentric import (
     ANGLE_X,
     OFF_PI,
     UP_TO_HALF,
@@ -19,7 +19,7 @@ from .._eccentric import (
     first_turn_of_jerk,
     next_to_pi,
 )
-from .mechanics import R4, R5, e1, e2, mount, phi1
+from ..mechanics import R4, R5, e1, e2, mount, phi1
 
 # The radius that scales both, the smaller one as a share of it, or what it lacks, and x.
 RADIUS, SHARE, LACK = (Symbol(name, positive=True) for name in ("R", "share", "lack"))

@@ -4,9 +4,9 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .._readings import millimetre
+from ..._readings import millimetre
+from ..mechanics import *
 from .equations import print_5
-from .mechanics import *
 from .pairs import advances
 
 VARIANTS = {
@@ -44,7 +44,7 @@ ROLLED_45 = integrate(satellite_against_carrier.subs(AXES_45))
 WITHOUT_SLIP = Equality(R4 / R5 * phi1, ROLLED_45)
 OF_PAIR_36 = sp.Rational("0.2")
 
-VARIANT_ROWS = (
+ROWS = (
     *(
         PRINT.datum(
             f"variant {number}, sizes",

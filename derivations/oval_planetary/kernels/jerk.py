@@ -4,11 +4,11 @@ import sympy as sp
 
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
-from .._eccentric import jerk_terms
+from ..._eccentric import jerk_quotient, jerk_terms
+from ..mechanics import *
 from . import forms
 from .charts import MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, OF_JERK
-from .kernels import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
-from .mechanics import *
+from .motion import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS, SOURCE
 
 JERK = sp.diff(ACCELERATION, phi1)
 JERK_CYLINDRICAL = sp.diff(ACCELERATION_CYLINDRICAL, x) * 2 * k
@@ -56,14 +56,13 @@ TERMS = Scale(
 CUBE_OF_SPEED = (R4 >= R5 / 10**30, R4 <= 10**80 * R5)
 # Beside half turns of x it divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
-SPREAD = 1 + e2**2 - 2 * e2 * sp.cos(x)
 TERMS_CYLINDRICAL = Scale(
     "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
     jerk_terms(8 * e2 * k**3 * (1 - e2**2), e2, x, forms.EPS_X),
     forms.OF_X,
 )
 
-JERK_QUANTITIES = (
+QUANTITIES = (
     Quantity(
         "jerk",
         "Compute d acceleration/d phi1, the jerk of the output at unit carrier speed.",
@@ -98,12 +97,7 @@ JERK_QUANTITIES = (
         (
             Form(
                 "half-angle quotient with low word",
-                8
-                * e2
-                * k**3
-                * (1 - e2**2)
-                * (sp.cos(x) * SPREAD - 4 * e2 * sp.sin(x) ** 2)
-                / SPREAD**3,
+                jerk_quotient(8 * e2 * k**3 * (1 - e2**2), e2, x),
                 ("low_word", "half_angle_tangent"),
                 charts=OF_JERK,
                 mirrors=NEGATED,

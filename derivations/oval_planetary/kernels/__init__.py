@@ -1,0 +1,5 @@
+"""What can be computed of paper 2."""
+
+from . import jerk, motion
+
+QUANTITIES = (*motion.QUANTITIES, *jerk.QUANTITIES)
