@@ -9,7 +9,8 @@ from derived import paper_of
 from sympy import Interval, Rational, oo
 from weights import make_thorough
 
-from mechproof.derivations.tooth_thickness import claims, mechanics
+from mechproof.derivations.tooth_thickness import mechanics
+from mechproof.derivations.tooth_thickness.rows import claims
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict

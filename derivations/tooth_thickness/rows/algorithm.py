@@ -4,7 +4,7 @@ from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, symbols, tan
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 SHARES_OF_TOOTH = {
     rightly_accepted: f_true * f_measured,
@@ -44,7 +44,7 @@ def wheels_rejected(grade: int) -> Expr:
     return NORMAL_SHARE**TEETH - (NORMAL_SHARE - rejected_by(grade, 0)) ** TEETH
 
 
-ALGORITHM_ROWS = (
+ROWS = (
     PRINT.claim(
         "step 1",
         defines=(K,),

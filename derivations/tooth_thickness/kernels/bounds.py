@@ -2,77 +2,62 @@
 
 from collections.abc import Callable
 
-from sympy import (
-    Abs,
-    Eq,
-    Expr,
-    Ge,
-    Interval,
-    Le,
-    Or,
-    Rational,
-    S,
-    Symbol,
-    atan,
-    cos,
-    diff,
-    oo,
-    pi,
-    sin,
-    symbols,
-    tan,
-)
+import sympy as sp
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 # Coordinates --------------------------------------------------------------------------------------
 
 # A profile angle is less than pi/4.
-UP_TO = Rational(11, 14)
+UP_TO = sp.Rational(11, 14)
 WHERE = f"alpha <= {UP_TO}"
-ANGLES, LENGTHS, SIGNED = {alpha: Interval(0, UP_TO)}, Interval(0, oo), Interval(-oo, oo)
+ANGLES, LENGTHS, SIGNED = (
+    {alpha: sp.Interval(0, UP_TO)},
+    sp.Interval(0, sp.oo),
+    sp.Interval(-sp.oo, sp.oo),
+)
 RACK = (Chart(WHERE, {m: m, alpha: alpha}, {m: LENGTHS, **ANGLES}),)
 DEPTHS = (Chart(WHERE, {dh: dh, alpha: alpha}, {dh: SIGNED, **ANGLES}),)
 
 # Of two errors of which either is larger one is a share of the other; the larger one is not
 # negative, but for the signs of both.
-SHARE = Symbol("share")
+SHARE = sp.Symbol("share")
 
 
-def by_larger(larger: Symbol, smaller: Symbol, most: Expr) -> Chart:
+def by_larger(larger: sp.Symbol, smaller: sp.Symbol, most: sp.Expr) -> Chart:
     """Make the chart of two errors, one at most so many times the other."""
     arguments = {larger: larger, smaller: most * larger * SHARE, alpha: alpha}
-    return Chart(WHERE, arguments, {larger: LENGTHS, SHARE: Interval(-1, 1), **ANGLES})
+    return Chart(WHERE, arguments, {larger: LENGTHS, SHARE: sp.Interval(-1, 1), **ANGLES})
 
 
 ERRORS_NEGATED = ((e_tip, dh_gauge),)
-ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, Rational(1, 2)))
+ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, sp.Rational(1, 2)))
 
 # Wheels with many teeth are those with a small inverse of their number.
-INVERSE = Symbol("1/z", positive=True)
+INVERSE = sp.Symbol("1/z", positive=True)
 
 
-def tilt_chart(side: Expr) -> Chart:
+def tilt_chart(side: sp.Expr) -> Chart:
     """Make the chart of tilts to one side."""
     arguments = {tilt: side, m: m, z: 1 / INVERSE, alpha: alpha}
-    within = {m: LENGTHS, INVERSE: Interval(0, 1), **ANGLES, tilt: Interval(0, 1)}
+    within = {m: LENGTHS, INVERSE: sp.Interval(0, 1), **ANGLES, tilt: sp.Interval(0, 1)}
     return Chart(f"|tilt| <= 1 and {WHERE}", arguments, within)
 
 
 FLANK_CHARTS = (tilt_chart(tilt), tilt_chart(-tilt))
 
 # A depth may be this share of the module at least before the chord is at the base circle.
-DEPTH = Symbol("|dh|/m")
+DEPTH = sp.Symbol("|dh|/m")
 SHALLOW = Chart(
     f"1/4 <= {WHERE} and |dh| <= 3/16*m",
     {dh: m * DEPTH, m: m, z: 1 / INVERSE, alpha: alpha},
     {
         m: LENGTHS,
-        INVERSE: Interval(0, 1),
-        alpha: Interval(Rational(1, 4), UP_TO),
-        DEPTH: Interval(0, Rational(3, 16)),
+        INVERSE: sp.Interval(0, 1),
+        alpha: sp.Interval(sp.Rational(1, 4), UP_TO),
+        DEPTH: sp.Interval(0, sp.Rational(3, 16)),
     },
 )
 DEPTH_NEGATED = ((dh,),)
@@ -80,24 +65,24 @@ DEPTH_NEGATED = ((dh,),)
 
 # Accuracy and approximations ----------------------------------------------------------------------
 
-ROLLING = Scale("the way that the chord's end rolls", r_b * Abs(tilt) * (1 + t_c + Abs(tilt)))
+ROLLING = Scale("the way that the chord's end rolls", r_b * sp.Abs(tilt) * (1 + t_c + sp.Abs(tilt)))
 # Below that, subnormal numbers have fewer digits.
 NORMAL_TILT = (
-    Or(Eq(tilt, 0), Ge(Abs(tilt), Rational(1, 10**250))),
-    Ge(m, Rational(1, 10**30)),
-    Le(m * z, 10**300),
+    sp.Or(sp.Eq(tilt, 0), sp.Ge(sp.Abs(tilt), sp.Rational(1, 10**250))),
+    sp.Ge(m, sp.Rational(1, 10**30)),
+    sp.Le(m * z, 10**300),
 )
-value, radicand = symbols("value radicand", positive=True)
+value, radicand = sp.symbols("value radicand", positive=True)
 CANCELLING = Scale(
     "the value times what its root's difference loses",
     value * (1 + (r_b * t_c) ** 2 / radicand),
-    ((value, linearisation_bound), (radicand, linearisation_root.subs(dh, Abs(dh)))),
+    ((value, linearisation_bound), (radicand, linearisation_root.subs(dh, sp.Abs(dh)))),
 )
 # No square, no cube and no product of them leaves the range of a double.
 SQUARES_IN_RANGE = (
-    Or(Eq(dh, 0), Ge(Abs(dh), Rational(1, 10**100))),
-    Ge(m, Rational(1, 10**30)),
-    Le(m * z, 10**50),
+    sp.Or(sp.Eq(dh, 0), sp.Ge(sp.Abs(dh), sp.Rational(1, 10**100))),
+    sp.Ge(m, sp.Rational(1, 10**30)),
+    sp.Le(m * z, 10**50),
 )
 
 # In eps, from 1/2 for an arithmetic operation, 1 for sin and cos, 4 for tan.
@@ -124,7 +109,11 @@ ACCURACY = {
     "linearisation_bound": Accuracy(32, CANCELLING, SQUARES_IN_RANGE),
     # As to first order, and a difference of terms on its scale.
     "thickness_error": Accuracy(
-        6, Scale("the sum of its terms' sizes", 2 * tan(alpha) * (Abs(dh_gauge) + Abs(e_tip) / 2))
+        6,
+        Scale(
+            "the sum of its terms' sizes",
+            2 * sp.tan(alpha) * (sp.Abs(dh_gauge) + sp.Abs(e_tip) / 2),
+        ),
     ),
 }
 
@@ -132,22 +121,22 @@ ACCURACY = {
 # |sin|, |cos| <= 1 the curvature of the height is below r_b (1 + t_c + |tilt|), that of the
 # thickness below twice as much. The bound is that with r_b (1 + t_c) <= m (z + pi/4), which is
 # proved along with it, and r_b = m z cos(alpha)/2 <= m z/2.
-HEIGHT_BOUND = m * tilt**2 * (z * (2 + Abs(tilt)) + pi / 2) / 4
-HEIGHT_CURVATURE = -r_b * (cos(alpha + tilt) - (t_c + tilt) * sin(alpha + tilt))
-THICKNESS_CURVATURE = -2 * r_b * (sin(alpha + tilt) + (t_c + tilt) * cos(alpha + tilt))
+HEIGHT_BOUND = m * tilt**2 * (z * (2 + sp.Abs(tilt)) + sp.pi / 2) / 4
+HEIGHT_CURVATURE = -r_b * (sp.cos(alpha + tilt) - (t_c + tilt) * sp.sin(alpha + tilt))
+THICKNESS_CURVATURE = -2 * r_b * (sp.sin(alpha + tilt) + (t_c + tilt) * sp.cos(alpha + tilt))
 TAYLOR = "Taylor's remainder with |sin|, |cos| <= 1"
 
 
-def first_order(change: Expr, curvature: Expr) -> Callable[[EmittedForm], Statement]:
+def first_order(change: sp.Expr, curvature: sp.Expr) -> Callable[[EmittedForm], Statement]:
     """Make the statement that a form is the tangent at tilt 0, with the curvature it leaves out."""
 
     def states(code: EmittedForm) -> Statement:
-        slope = diff(change, tilt)
+        slope = sp.diff(change, tilt)
         return all_of(
-            Equality(change.subs(tilt, 0), S.Zero),
+            Equality(change.subs(tilt, 0), sp.S.Zero),
             Equality(code.output(), slope.subs(tilt, 0) * tilt),
-            Equality(diff(slope, tilt), curvature),
-            Holds(Le(r_b * (1 + t_c), m * (2 * z + pi / 2) / 2)),
+            Equality(sp.diff(slope, tilt), curvature),
+            Holds(sp.Le(r_b * (1 + t_c), m * (2 * z + sp.pi / 2) / 2)),
         )
 
     return states
@@ -155,29 +144,29 @@ def first_order(change: Expr, curvature: Expr) -> Callable[[EmittedForm], Statem
 
 # Equation (1) with the exact derivative: what is missing grows by -m z (t_c + tilt) sin(tilt), and
 # |sin(tilt)| <= |tilt|, tan(alpha) < 1, integrated, give the bound.
-MODEL_BOUND = m * tilt**2 * (pi / 4 + z / 2 + z * Abs(tilt) / 3)
+MODEL_BOUND = m * tilt**2 * (sp.pi / 4 + z / 2 + z * sp.Abs(tilt) / 3)
 
 
 def by_height(code: EmittedForm) -> Statement:
     """State how much of the thickness the product with the height leaves out."""
     missing = thickness_change - code.output()
     return all_of(
-        Equality(missing.subs(tilt, 0), S.Zero),
-        Equality(diff(missing, tilt), -m * z * (t_c + tilt) * sin(tilt)),
+        Equality(missing.subs(tilt, 0), sp.S.Zero),
+        Equality(sp.diff(missing, tilt), -m * z * (t_c + tilt) * sp.sin(tilt)),
     )
 
 
 TWENTY_DEGREES = Part(
     "profile angles about 20°, tan(alpha) from 0.363 to 0.365",
-    {incline: Interval(Rational("0.363"), Rational("0.365"))},
+    {incline: sp.Interval(sp.Rational("0.363"), sp.Rational("0.365"))},
 )
 
 
 def within_a_hundredth(code: EmittedForm) -> Statement:
     """State that a form is off by a hundredth of the height at most: on a line through 0, of 1."""
-    off = (code.output() - 2 * dh * tan(alpha)).subs(alpha, atan(incline))
+    off = (code.output() - 2 * dh * sp.tan(alpha)).subs(alpha, sp.atan(incline))
     return all_of(
         Equality(off, off.subs(dh, 1) * dh),
-        not_above(off.subs(dh, 1), Rational(1, 100)),
-        Holds(Ge(off.subs(dh, 1), -Rational(1, 100), evaluate=False)),
+        not_above(off.subs(dh, 1), sp.Rational(1, 100)),
+        Holds(sp.Ge(off.subs(dh, 1), -sp.Rational(1, 100), evaluate=False)),
     )

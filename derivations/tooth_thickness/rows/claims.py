@@ -4,8 +4,8 @@ from sympy import Interval, Rational, S, diff, pi, sqrt
 
 from mechproof.record import *
 
-from .._metrology import POSITIVE
-from .mechanics import *
+from ..._metrology import POSITIVE
+from ..mechanics import *
 
 # The example of Table 1 ---------------------------------------------------------------------------
 
@@ -241,3 +241,5 @@ CLAIM_ROWS = (
         marks=("consequence", "calibrated"),
     ),
 )
+
+ROWS = (*EXAMPLE_ROWS, *CLAIM_ROWS)

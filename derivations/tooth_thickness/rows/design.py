@@ -4,8 +4,8 @@ from sympy import Expr, Rational, S, atan, cos, diff, pi, sin, tan
 
 from mechproof.record import *
 
-from .._metrology import normal_between
-from .mechanics import *
+from ..._metrology import normal_between
+from ..mechanics import *
 
 DESIGN_ROWS = (
     PRINT.claim("data, pitch diameter", PrintedNumber("150", MODULE * S(TEETH))),
@@ -273,3 +273,5 @@ INFLUENCE_ROWS = (
         quantities=("thickness_change_linear", "linearisation_bound"),
     ),
 )
+
+ROWS = (*DESIGN_ROWS, *INFLUENCE_ROWS, *PARAMETER_ROWS)

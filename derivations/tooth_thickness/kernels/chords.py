@@ -7,8 +7,8 @@ from sympy import Abs, Eq, Rational, S, cos, pi, sin, tan
 
 from mechproof.record import Argument, Form, Part, Quantity, Singular
 
+from ..mechanics import *
 from . import bounds
-from .mechanics import *
 
 MODULE_ARGUMENT = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH_ARGUMENT = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))

@@ -1,0 +1,5 @@
+"""What can be computed of paper 3."""
+
+from . import chords
+
+QUANTITIES = chords.QUANTITIES

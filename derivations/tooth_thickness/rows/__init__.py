@@ -1,0 +1,5 @@
+"""What paper 3 states, and what of ours stands beside it."""
+
+from . import algorithm, claims, design
+
+ROWS = (*design.ROWS, *algorithm.ROWS, *claims.ROWS)
