@@ -1,7 +1,6 @@
 """Ways to get turns, displacements and sums of errors from libraries."""
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -64,15 +63,13 @@ def sum_covariances(
     return np.asarray(np.sqrt(total) / total_scatter)
 
 
-PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
-    {
-        "rotation": (
-            Peer("product of three matrices", multiply_turns),
-            Peer("scipy Rotation", turn_by_scipy),
-        ),
-        "displacement": (Peer("scipy Rotation", displace_by_scipy),),
-        "spatial_error": (Peer("np.linalg.norm", take_norm),),
-        "error_sum": (Peer("np.linalg.norm", take_norm_of_terms),),
-        "error_sum_correlated": (Peer("einsum", sum_covariances),),
-    }
-)
+PEERS: Mapping[str, tuple[Peer, ...]] = {
+    "rotation": (
+        Peer("product of three matrices", multiply_turns),
+        Peer("scipy Rotation", turn_by_scipy),
+    ),
+    "displacement": (Peer("scipy Rotation", displace_by_scipy),),
+    "spatial_error": (Peer("np.linalg.norm", take_norm),),
+    "error_sum": (Peer("np.linalg.norm", take_norm_of_terms),),
+    "error_sum_correlated": (Peer("einsum", sum_covariances),),
+}

@@ -12,7 +12,7 @@ from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
 from .mechanics import *
-from .table import total_by_printed_sum
+from .rows.table import PRINTED_VALUES, total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.
 PERIODS, THICKNESSES, THICKNESS = 6, (10.0, 20.0, 30.0), 20.0

@@ -39,7 +39,7 @@ def judge_changed(row: Equation, old: str, new: str) -> Verdict:
 
 def unread(number: str) -> Equation:
     """Return a row of the paper before it was read."""
-    from mechproof.derivations.track_wheel.equations import FRAME_ROWS
+    from mechproof.derivations.track_wheel.rows.equations import FRAME_ROWS
 
     load()
     (row,) = (row for row in FRAME_ROWS if row.number == number)

@@ -12,7 +12,7 @@ import sympy as sp
 from derived import paper_of
 from weights import first_of
 
-from mechproof.derivations.track_wheel.kernels_of_poses import ROTATION
+from mechproof.derivations.track_wheel.kernels.poses import ROTATION
 from mechproof.derivations.track_wheel.mechanics import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff.affine import bound_norm, find_size

@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 LATEX_CORRECTED_GROUPS = (
     r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"
@@ -260,3 +260,5 @@ FRAME_ROWS = (
         "numbers serve as its coordinates in the part and as its nominal place from O_1.",
     ),
 )
+
+ROWS = (*ERROR_ROWS, *FRAME_ROWS)

@@ -9,11 +9,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .._sizes import is_moderate, is_zero_or_moderate
-from .charts import FOR_PLANAR, FOR_SPATIAL
-from .kernels import HEIGHT
-from .kernels_of_poses import SOURCE
-from .mechanics import *
+from ..mechanics import *
 
 a, b, c = SHIFT
 _, y, z = SURFACE_POINT
@@ -54,73 +50,8 @@ IN_SPACE = Part(
     "e <= Delta^XYZ, the tilt up to a right angle",
     where=(spatial_error >= eccentricity, 2 * REACH + 2 * eccentricity * thickness >= OVER_SPACE),
 )
-# Accuracy, in eps: a rounding of g moves the tilt by itself over the root, and so do those of the
-# terms under the root, of which none is larger than g allows.
-MODERATE = (
-    *(is_moderate(size) for size in (radius_vector, thickness)),
-    is_zero_or_moderate(eccentricity),
-)
-OFFSET = Argument("offset", (eccentricity,), "offset of the axis", "mm", usual=(0, 1))
-CREST_RADIUS = Argument(
-    "rho", (radius_vector,), "largest radius of the track", "mm", usual=(1, 100)
-)
 
-
-def tilt_for(
-    name: str,
-    where: str,
-    error: sp.Symbol,
-    tangent: sp.Expr,
-    over: sp.Expr,
-    on: Part,
-    charts: tuple[Chart, ...],
-) -> Quantity:
-    """Make the quantity of the tilt with which the largest error is the one given."""
-    excess, below = tangent.as_numer_denom()
-    tilt = 2 * sp.atan2(excess, below)
-    return Quantity(
-        f"tilt_of_{name}",
-        f"Compute the tilt with which the largest error {where} is the one wanted.",
-        (
-            Argument("error", (error,), "largest error wanted", "mm", usual=(0.01, 1)),
-            OFFSET,
-            CREST_RADIUS,
-            HEIGHT,
-        ),
-        tilt,
-        (Form("root without cancellation", tilt, charts=charts),),
-        f"inverse of {SOURCE}, equation (15)",
-        unit="rad",
-        on=on,
-        accuracy=Accuracy(
-            6,
-            Scale("the tilt and what eps*(error - offset) makes of it", tilt + over),
-            (*MODERATE, is_moderate(error)),
-        ),
-    )
-
-
-DESIGN_QUANTITIES = (
-    tilt_for(
-        "planar_error",
-        "in the plane",
-        planar_error,
-        PLANAR_ROOT,
-        OVER_PLANE / sp.sqrt(PLANAR_SQUARE),
-        IN_PLANE,
-        FOR_PLANAR,
-    ),
-    tilt_for(
-        "spatial_error",
-        "in space",
-        spatial_error,
-        SPATIAL_ROOT,
-        2 * spatial_error * (spatial_error - eccentricity) / sp.sqrt(SPATIAL_SQUARE),
-        IN_SPACE,
-        FOR_SPATIAL,
-    ),
-)
-DESIGN_ROWS = (
+ROWS = (
     ours(
         "design, tilt and offset",
         r"\Delta y_0=-(e+y_{13}(1-\cos\alpha)+z_{13}\sin\alpha),\ "

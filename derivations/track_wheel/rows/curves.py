@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 CURVE_ROWS = (
     PRINT.equation(

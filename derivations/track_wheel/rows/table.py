@@ -4,8 +4,29 @@ import sympy as sp
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
+MM, RAD = r"~\mathrm{mm}", r"~\mathrm{rad}"
+# What is said of a size, its symbol, and how the number that is printed stands between the rest.
+TABLE = (
+    ("form error", form, r"\Delta_\phi=", "0.016", MM),
+    ("mounting error", mounting, r"\Delta_y=", "0.05", MM),
+    ("elastic error", elastic, r"\Delta_\delta=", "0.042", MM),
+    ("setting error", setting, r"\Delta_u=", "0.01", MM),
+    ("tool wear", wear, r"\Delta_u=", "0.021", MM),
+    ("radius", radius, "R=", "41.5", MM),
+    ("amplitude", amplitude, "A=", "3.75", MM),
+    ("ball radius", ball_radius, "r_u=", "7.5", MM),
+    ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
+    ("turn about Y", beta, r"\beta=", "0.00103", RAD),
+    ("turn about Z", gamma, r"\gamma=", "0", ""),
+)
+THERMAL_SHARE = sp.Rational("0.15")
+PRINTED_VALUES = {
+    **{symbol: sp.Rational(number) for _, symbol, _, number, _ in TABLE},
+    share: THERMAL_SHARE,
+}
+TABLE_1 = PublishedSizes("Table 1", PRINTED_VALUES)
 REMARKS = {
     setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "
     "next line; the words say setting of the machine, so that Delta_n of (6) is meant.",

@@ -1,12 +1,10 @@
 """Coordinates over which the rounding errors of paper 5 are bounded."""
 
-from functools import partial
-
 import sympy as sp
 
 from mechproof.record import Chart
 
-from .mechanics import *
+from ..mechanics import *
 
 # Near no turn all angles are multiples of the largest, with which the matrix vanishes.
 QUARTER = sp.Rational(11, 7)
@@ -117,52 +115,4 @@ BY_REST = tuple(
         (SHARE, 1 + SHARE, {SHARE: SIZES[SHARE]}),
         (1, 1 + LEFT**2, {LEFT: sp.Interval(sp.Rational(1, 2**10), 1)}),
     )
-)
-
-# Of a tilt only the error beyond the offset counts, which in the plane is of any size beside it.
-ONE, TWO, THREE, OFFSET_ALONE = sp.symbols("one two three offset_alone", positive=True)
-# Of the largest error, its root and a little, and the reciprocal of that and a little.
-MOST, ROOT, OVER_ROOT = sp.Rational(15, 16), sp.Rational(31, 32), sp.Rational(17, 16)
-ENDS = {SIZE: sp.oo, ONE: 1, TWO: 1, THREE: 1, OFFSET_ALONE: sp.oo}
-BY_RADIUS, BY_HEIGHT = (radius_vector, thickness), (thickness, radius_vector)
-
-
-def beyond_offset(
-    text: str,
-    error: sp.Symbol,
-    sizes: tuple[sp.Symbol, sp.Symbol],
-    share: sp.Expr,
-    offset: sp.Expr,
-    over: sp.Expr,
-    **ends: sp.Expr,
-) -> Chart:
-    """Make the chart of two sizes by the larger one, and of an error beyond an offset.
-
-    That is a share of their sum. What vanishes under the root does so as one product.
-    """
-    larger, smaller = sizes
-    whole = sp.expand(offset + over * SIZE * (1 + share))
-    arguments = {larger: SIZE, smaller: SIZE * share, error: whole, eccentricity: offset}
-    within = {
-        symbol: sp.Interval(0, ends.get(symbol.name, end))
-        for symbol, end in ENDS.items()
-        if any(value.has(symbol) for value in arguments.values())
-    }
-    return Chart(text, arguments, within)
-
-
-in_plane = partial(beyond_offset, f"error - offset <= {MOST}*(rho + H)", planar_error)
-in_space = partial(beyond_offset, "offset <= H and error - offset <= rho + H", spatial_error)
-FOR_PLANAR = (
-    in_plane(BY_RADIUS, ONE * TWO, OFFSET_ALONE, ONE**2, one=ROOT, two=OVER_ROOT),
-    in_plane(BY_RADIUS, ONE, OFFSET_ALONE, ONE**2 * TWO**2, two=ROOT),
-    in_plane(BY_HEIGHT, ONE, OFFSET_ALONE, TWO, two=MOST),
-)
-FOR_SPATIAL = (
-    in_space(BY_RADIUS, ONE * TWO, SIZE * ONE * TWO * THREE, ONE),
-    in_space(BY_RADIUS, ONE, SIZE * ONE * TWO * THREE, ONE * TWO),
-    in_space(BY_RADIUS, ONE * THREE, SIZE * ONE * TWO * THREE, ONE**3 * TWO * THREE),
-    in_space(BY_RADIUS, ONE, SIZE * ONE * TWO, ONE**3 * TWO * THREE**2),
-    in_space(BY_HEIGHT, ONE, SIZE * TWO * THREE, TWO),
-    in_space(BY_HEIGHT, ONE, SIZE * TWO, TWO * THREE),
 )

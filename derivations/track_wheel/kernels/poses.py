@@ -6,8 +6,8 @@ import sympy as sp
 
 from mechproof.record import *
 
+from ..mechanics import *
 from .charts import BY_PLANE, BY_SPACE, NEAR_NO_TURN, WITHIN_HALF_TURNS
-from .mechanics import *
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)
@@ -123,7 +123,7 @@ ERRORS = Argument(
 )
 SOURCE = "Kapitonov, Yakubovsky 2022"
 
-POSES = (
+QUANTITIES = (
     Quantity(
         "rotation",
         "Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.",

@@ -1,0 +1,5 @@
+"""What can be computed of paper 5."""
+
+from . import design, poses, sums, track
+
+QUANTITIES = (*poses.QUANTITIES, *track.QUANTITIES, *sums.QUANTITIES, *design.QUANTITIES)
