@@ -11,13 +11,9 @@ from weights import first_of
 
 from mechproof.arithmetic import balls
 from mechproof.codegen.form_rows import form_rows
-from mechproof.derivations.wedge_linkage import (
-    boundaries,
-    chain,
-    mechanics,
-    sizes,
-    transfer,
-)
+from mechproof.derivations.wedge_linkage import mechanics
+from mechproof.derivations.wedge_linkage.kernels import chain
+from mechproof.derivations.wedge_linkage.rows import boundaries, sizes, transfer
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict

@@ -102,6 +102,9 @@ rod = solve_linear(group_2[0], x5)
 
 # Clearance. Link 5' is pushed only, and not before the rod has run through the clearance.
 driven = (overlap + sp.Abs(overlap)) / 2
+# The rod's run is l_GH + excess or l_GH - lack, which covers every run.
+excess, lack = sp.Symbol("excess", nonnegative=True), sp.Symbol("lack", positive=True)
+PUSHED_IN_PRINT = sp.Piecewise(print_4.args[0], (print_4.args[1].expr, True))
 
 # Group 3. H moves with the link 5' by x5', HI stays vertical and IK level; L is fixed.
 from_h_to_l = l_HI * UP + l_IK * RIGHT + l_KL * towards(alpha_KL) - x5_driven * RIGHT
@@ -224,5 +227,7 @@ VARIABLES = (
     Variable(elements, "number of elements", within=sp.S.Naturals),
     Variable(tolerances, "number of sizes with tolerances", within=sp.S.Naturals),
     Variable(combinations, "number of combinations of limits", within=sp.S.Naturals),
+    Variable(excess, "run of the rod beyond the clearance", LENGTH, NOT_NEGATIVE),
+    Variable(lack, "run of the rod that is missing to contact", LENGTH, POSITIVE),
     Variable(crossing_place, "displacement at which the curves III and IV cross", LENGTH),
 )

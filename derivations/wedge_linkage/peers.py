@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from functools import partial
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,9 +30,7 @@ def take_by_sizes(*arguments: Array) -> Array:
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
 
-PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
-    {
-        "velocity": (Peer("central difference", partial(take_difference, 0)),),
-        "sensitivities": (Peer("central differences", take_by_sizes),),
-    }
-)
+PEERS: Mapping[str, tuple[Peer, ...]] = {
+    "velocity": (Peer("central difference", partial(take_difference, 0)),),
+    "sensitivities": (Peer("central differences", take_by_sizes),),
+}

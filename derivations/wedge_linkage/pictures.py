@@ -12,9 +12,9 @@ from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 from mechproof.tolerance import certified_range, corner_range
 
-from . import boundaries
-from .boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV
-from .sizes import ANGLES, LEGIBLE, Signs
+from .rows import boundaries
+from .rows.boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV
+from .rows.sizes import ANGLES, LEGIBLE, Signs
 
 SETS = {number: WedgeLinkage.published_sizes(number) for number in (1, 2)}
 START, CROSSING, PRINTED_DEVIATION = map(

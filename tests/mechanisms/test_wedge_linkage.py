@@ -14,9 +14,11 @@ from weights import first_of
 
 from mechproof import WedgeLinkage
 from mechproof.arithmetic import balls
-from mechproof.derivations.wedge_linkage import PAPER, boundaries, chain
-from mechproof.derivations.wedge_linkage.conditioning import condition
+from mechproof.derivations.wedge_linkage import PAPER
+from mechproof.derivations.wedge_linkage.kernels import chain
+from mechproof.derivations.wedge_linkage.kernels.conditioning import condition
 from mechproof.derivations.wedge_linkage.mechanics import x1 as pusher
+from mechproof.derivations.wedge_linkage.rows import boundaries
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.wedge_linkage import PusherReachError, RollerLeverReachError
 from mechproof.record import Accuracy, Quantity, Scale, Toleranced

@@ -6,8 +6,8 @@ from sympy import Expr, Integer, Interval, Rational, Symbol, oo
 
 from mechproof.record import Chart, Toleranced
 
-from .mechanics import *
-from .sizes import FIRST_SET
+from ..mechanics import *
+from ..rows.sizes import FIRST_SET
 
 # All lengths are shares of one that is the largest.
 LARGEST, PART = Symbol("R", positive=True), Symbol("l_AB/arm", positive=True)

@@ -5,6 +5,7 @@ from sympy import Rational
 
 from mechproof.record import *
 
+from ..mechanics import *
 from .boundaries import (
     BOUNDARY_II,
     BOUNDARY_III,
@@ -15,7 +16,6 @@ from .boundaries import (
     in_all,
     influence,
 )
-from .mechanics import *
 from .sizes import FIRST_SET, SECOND_SET, SETS
 
 
@@ -31,7 +31,7 @@ HOW = (
     "positions with combinations that differ in one size, and the order of the two alpha_KL"
 )
 
-RANGE_ROWS = (
+ROWS = (
     PRINT.datum(
         "11 sizes with tolerances",
         Definition(tolerances, sp.Integer(11)),

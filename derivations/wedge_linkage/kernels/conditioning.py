@@ -7,9 +7,9 @@ from sympy import Abs, Eq, Rational, cos
 
 from mechproof.record import LENGTH, Accuracy, Argument, Scale, Singular, Variable
 
-from .._sizes import POWER, is_moderate, is_zero_or_moderate
+from ..._sizes import POWER, is_moderate, is_zero_or_moderate
+from ..mechanics import *
 from .chain import MEANT, SIZES, chain_slope
-from .mechanics import *
 
 # Arguments -------------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 """How the forms of paper 4 are proved from the source that was emitted.
 
-The rod's run is l_GH + excess or l_GH - lack, which covers every run; up to the rod the chain is a
-function of x1, from the link 5' on one of its displacement, called x5 here.
+Up to the rod the chain is a function of x1, from the link 5' on one of its displacement, called x5
+here.
 """
 
 from collections.abc import Callable
@@ -9,9 +9,11 @@ from collections.abc import Callable
 import sympy as sp
 from sympy import cos, sin
 
-from mechproof.record import LENGTH, EmittedForm, Equality, Holds, Part, Statement, Variable, all_of
+from mechproof.record import EmittedForm, Equality, Holds, Part, Statement, Variable, all_of
 
-from .._metrology import POSITIVE
+from ..._metrology import POSITIVE
+from ..mechanics import *
+from ..rows.transfer import push_by
 from .chain import (
     DIRECTION,
     LINKS,
@@ -27,21 +29,14 @@ from .chain import (
     push,
     run,
 )
-from .mechanics import *
 
-excess = sp.Symbol("excess", nonnegative=True)
-lack = sp.Symbol("lack", positive=True)
 wedge_slope = sp.Symbol("dy9/dx5", real=True)
 # The angles of a chain in contact, each by itself.
 ANGLES = {MEANT.lever: phi3, MEANT.roller: phi7, MEANT.engaged: sp.S.One, extended: reach}
 # cos(turn_3) by its half-angle, in x1 and the present length of BC.
 COS_LEVER = ((l_BC + reach) ** 2 - x1**2) / ((l_BC + reach) ** 2 + x1**2)
 SLOPE = (sp.diff(print_10, phi7) * roller_slopes[x5]).subs(phi7, MEANT.roller)
-VARIABLES = (
-    Variable(excess, "run of the rod beyond the clearance", LENGTH, sp.Interval(0, sp.oo)),
-    Variable(lack, "run of the rod that is missing to contact", LENGTH, POSITIVE),
-    Variable(wedge_slope, "derivative of y9 by the displacement of the link 5'"),
-)
+VARIABLES = (Variable(wedge_slope, "derivative of y9 by the displacement of the link 5'"),)
 
 REACHED = Part("|R| < l_KL", where=(l_KL - PRINTED_R > 0, l_KL + PRINTED_R > 0))
 UPWARD = Part(
@@ -59,14 +54,6 @@ NOT_UPRIGHT = Part(
 def same_lever(code: EmittedForm) -> Statement:
     """State that the form is the direction of the solved projections."""
     return Equality(code.output(), lever_angle)
-
-
-def push_by(pushed: sp.Basic) -> tuple[Equality, Equality]:
-    """State that the rod, displaced by x5, pushes what is beyond the clearance and nothing else."""
-    return (
-        Equality(pushed.subs(x5, l_GH + excess), excess),
-        Equality(pushed.subs(x5, l_GH - lack), sp.S.Zero),
-    )
 
 
 def by_pushing(code: EmittedForm) -> Statement:

@@ -9,7 +9,7 @@ from sympy import Rational, pi, sqrt
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 from .sizes import SETS, Signs, limits
 
 Displacement: TypeAlias = "sp.Rational | int | str"
@@ -198,7 +198,7 @@ def write(size: sp.Symbol, numbers: tuple[str, ...]) -> str:
     return rf"{NAMES[size]}\colon {first}\ ({between.join(others)})~\mathrm{{mm}}"
 
 
-BUDGET_ROWS = (
+ROWS = (
     ours(
         "budget at -40",
         r",\quad ".join(write(size, numbers) for size, numbers in PARTS.items()),

@@ -7,12 +7,10 @@ from sympy import cos, pi, sin, sqrt
 
 from mechproof.record import *
 
-from .._linear import solve_linear
-from .._metrology import POSITIVE
+from ..._linear import solve_linear
+from ..._metrology import POSITIVE
+from ..mechanics import *
 from .boundaries import upright_at, upright_wedge
-from .chain import PUSHED_IN_PRINT
-from .mechanics import *
-from .proofs import push_by
 from .sizes import SETS
 
 GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
@@ -21,6 +19,14 @@ GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
 def mobility(links: int, pairs: int) -> sp.Integer:
     """Degrees of freedom of a plane linkage with lower pairs only (Chebyshev)."""
     return sp.Integer(3 * links - 2 * pairs)
+
+
+def push_by(pushed: sp.Basic) -> tuple[Equality, Equality]:
+    """State that the rod, displaced by x5, pushes what is beyond the clearance and nothing else."""
+    return (
+        Equality(pushed.subs(x5, l_GH + excess), excess),
+        Equality(pushed.subs(x5, l_GH - lack), sp.S.Zero),
+    )
 
 
 DRIVEN = {x5_driven: driven.subs(overlap, x5 - l_GH)}
@@ -313,3 +319,5 @@ TRANSFER_ROWS = (
         quantities=("velocity",),
     ),
 )
+
+ROWS = (*GROUP_ROWS, *SUBSTITUTION_ROWS, *TRANSFER_ROWS)

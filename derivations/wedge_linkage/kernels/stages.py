@@ -5,8 +5,9 @@ from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, s
 
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Singular
 
+from ..mechanics import *
 from . import charts, proofs
-from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER, guide_sum
+from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, ROLLER, guide_sum
 from .conditioning import (
     AT_REST,
     BEYOND_SQUARES,
@@ -21,7 +22,6 @@ from .conditioning import (
     moderate,
     turns,
 )
-from .mechanics import *
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
 DRIVEN_RUN = Argument(
@@ -86,7 +86,7 @@ BAZUEV = "Bazuev et al. 2021, equation"
 CHAIN_SOURCE = f"{BAZUEV}s (1), (3), (4), (7), (8), (10)"
 LEVER_LOADS, ROLLER_LOADS = ((("N inputs, one lever", (name,)),) for name in ("x1", "x5"))
 
-STAGES = (
+QUANTITIES = (
     Quantity(
         "guide_radicand",
         "Compute the radicand of Q, the square of BC: the guide follows where it is not negative.",

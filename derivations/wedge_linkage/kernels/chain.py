@@ -14,7 +14,7 @@ from sympy import Max, Piecewise, cos, sin, sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import *
+from ..mechanics import *
 
 SIZES = (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM)
 
@@ -55,7 +55,6 @@ def link(
 
 # Equations (4), (7) and (8) as they are meant and as they are printed: R = 0 is in neither case.
 PUSHED = Max(0, x5 - l_GH)
-PUSHED_IN_PRINT = Piecewise(print_4.args[0], (print_4.args[1].expr, True))
 DIRECTION = sp.atan2(sqrt(l_KL**2 - R**2), R) - alpha_KL
 DIRECTION_IN_PRINT = Piecewise((print_7, R > 0), (print_8, R < 0), (sp.nan, True))
 ROLLER = DIRECTION.subs(R, PRINTED_R)

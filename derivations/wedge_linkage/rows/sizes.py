@@ -7,7 +7,7 @@ from sympy import Rational, pi
 
 from mechproof.record import *
 
-from .mechanics import *
+from ..mechanics import *
 
 Signs = Mapping[sp.Symbol, int]
 
@@ -137,7 +137,7 @@ def define(size: sp.Symbol) -> Iterator[Definition]:
             yield Definition(symbol, measured(size, text))
 
 
-SIZE_ROWS = (
+ROWS = (
     *(
         PRINT.datum(
             f"sizes, {size}",

@@ -5,8 +5,9 @@ from sympy import Abs, Eq, Le, sqrt
 
 from mechproof.record import Accuracy, Chart, Form, Part, Quantity, Scale, Singular
 
-from .._sizes import LARGEST
-from . import chain, charts
+from ..._sizes import LARGEST
+from ..mechanics import BEFORE_PIVOT, MOVABLE, guide_square, l_GH, l_KL, x1
+from . import chain, charts, proofs
 from .conditioning import (
     ANGLES,
     AT_REST,
@@ -22,18 +23,7 @@ from .conditioning import (
     condition,
     moderate,
 )
-from .mechanics import BEFORE_PIVOT, MOVABLE, guide_square, l_GH, l_KL, x1
-from .proofs import (
-    NOT_UPRIGHT,
-    REACHED,
-    UPWARD,
-    as_meant,
-    by_quadrants,
-    by_stages,
-    position_in_contact,
-    slopes_in_contact,
-)
-from .stages import CHAIN_SOURCE, LOW_ROLLER, STAGES
+from .stages import CHAIN_SOURCE, LOW_ROLLER
 
 CLOSED = Part(
     "the linkage closes",
@@ -43,8 +33,10 @@ MOVING = Part(
     "the linkage closes and is at no dead centre",
     where=(guide_square > 0, l_KL - chain.MEANT.offset > 0, l_KL + chain.MEANT.offset > 0),
 )
-OPEN = Part(f"{MOVABLE.text}; {UPWARD.text}", UPWARD.within, MOVABLE.where)
-IN_CASES = Part(f"{BEFORE_PIVOT.text}; {NOT_UPRIGHT.text}", NOT_UPRIGHT.within, BEFORE_PIVOT.where)
+OPEN = Part(f"{MOVABLE.text}; {proofs.UPWARD.text}", proofs.UPWARD.within, MOVABLE.where)
+IN_CASES = Part(
+    f"{BEFORE_PIVOT.text}; {proofs.NOT_UPRIGHT.text}", proofs.NOT_UPRIGHT.within, BEFORE_PIVOT.where
+)
 RANGE = f"{SHORT_GUIDE} or {LOW_ROLLER}"
 
 ALONG_CHAIN = (
@@ -113,15 +105,15 @@ def differentiate(
             Form(
                 "half-angle chain",
                 form,
-                states=slopes_in_contact(value),
-                on=REACHED,
+                states=proofs.slopes_in_contact(value),
+                on=proofs.REACHED,
                 charts=covering,
             ),
             Form(
                 "product of slopes",
                 chain.in_chain(value, chain.BY_ATAN2),
                 key="slopes",
-                states=by_stages(chain.BY_ATAN2, as_meant, value),
+                states=proofs.by_stages(chain.BY_ATAN2, proofs.as_meant, value),
                 on=OPEN,
                 note="stage by stage, at the angles of the chain with atan2",
             ),
@@ -139,7 +131,6 @@ def differentiate(
 
 
 QUANTITIES = (
-    *STAGES,
     Quantity(
         "position",
         "Compute the displacement y9 of the wedge, the whole chain.",
@@ -149,15 +140,15 @@ QUANTITIES = (
             Form(
                 "half-angle chain",
                 chain.POSITION_FORM,
-                states=position_in_contact,
-                on=REACHED,
+                states=proofs.position_in_contact,
+                on=proofs.REACHED,
                 charts=charts.CHAIN,
             ),
             Form(
                 "printed chain",
                 chain.in_chain(chain.POSITION, chain.IN_PRINT),
                 key="printed",
-                states=by_stages(chain.IN_PRINT, by_quadrants, chain.POSITION),
+                states=proofs.by_stages(chain.IN_PRINT, proofs.by_quadrants, chain.POSITION),
                 on=IN_CASES,
                 source=CHAIN_SOURCE,
                 note="stage by stage; R = 0 is in neither case: NaN",
@@ -166,7 +157,7 @@ QUANTITIES = (
                 "chain with atan2",
                 chain.in_chain(chain.POSITION, chain.BY_ATAN2),
                 key="atan2",
-                states=by_stages(chain.BY_ATAN2, as_meant, chain.POSITION),
+                states=proofs.by_stages(chain.BY_ATAN2, proofs.as_meant, chain.POSITION),
                 on=OPEN,
                 note="stage by stage",
             ),
