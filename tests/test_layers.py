@@ -63,6 +63,8 @@ RUNTIME = {
     *("tools", "arguments", "support", "executors", "laws", "measured", "kernels", "choice"),
     *("derivatives", "measurement", "conformity", "tolerance", "mechanisms", "the whole"),
 }
+# The rooms of a paper; what has no name here (a paper, its peers and points) may know all of them.
+ROOMS = ("mechanics", "rows", "kernels", "pictures")
 HEIGHTS = {room: height for height, layer in enumerate(LAYERS) for room in layer}
 HOMES = {name: room for layer in LAYERS for room in layer for name in layer[room]}
 
@@ -93,6 +95,23 @@ def find_loaded_proofs(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
         for module, kinds in graph.items()
         for other in kinds.loaded
         if find_room(module) in RUNTIME and find_room(other) not in RUNTIME
+    }
+
+
+def find_height(module: str) -> int:
+    """Return which of the rooms of a paper a module is in."""
+    room = [*module.split("."), "", ""][3]
+    return ROOMS.index(room) if room in ROOMS else -1
+
+
+def find_later_rooms(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
+    """Arrows from a room of a paper to a later one."""
+    return {
+        (module, other)
+        for module, kinds in graph.items()
+        for other in kinds.run | kinds.typed
+        if module.startswith("mechproof.derivations.")
+        and -1 < find_height(module) < find_height(other)
     }
 
 
@@ -157,6 +176,24 @@ def test_an_arrow_up_or_aside_is_seen(module: str, source: str, other: str) -> N
 def test_the_whole_package_is_the_highest() -> None:
     (breach,) = find_breaches(made_up("mechproof.cli.console", "from mechproof import choose"))
     assert breach == ("mechproof.cli.console", "mechproof")
+
+
+def test_no_room_of_a_paper_knows_a_later_one() -> None:
+    assert find_later_rooms(read_graph()) == set()
+
+
+@pytest.mark.parametrize(
+    ("module", "source", "other"),
+    [
+        ("rows.design", "from ..kernels import motion", "kernels.motion"),
+        ("mechanics", "def f():\n    from .rows.peaks import PROPER", "rows.peaks"),
+        ("kernels.motion", "from .. import pictures", "pictures"),
+    ],
+)
+def test_an_arrow_to_a_later_room_is_seen(module: str, source: str, other: str) -> None:
+    paper = "mechproof.derivations.elliptic_planetary"
+    found = find_later_rooms(made_up(f"{paper}.{module}", source))
+    assert (f"{paper}.{module}", f"{paper}.{other}") in found
 
 
 def test_a_circle_is_seen() -> None:
