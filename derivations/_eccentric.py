@@ -10,12 +10,13 @@ from typing import TypeAlias
 import sympy as sp
 from sympy import Expr, Interval, Rational, Symbol
 
-from mechproof.record import Equality
+from mechproof.record import Chart, Equality, Form, Scale
 
 from ._linear import solve_linear
 
 Ranges: TypeAlias = Mapping[Symbol, Interval]
 Place: TypeAlias = tuple[Expr, Expr, Ranges]
+Steps: TypeAlias = tuple[tuple[sp.Symbol, Expr], ...]
 
 ANGLE_X, S = Symbol("x"), Symbol("pi - x")
 D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
@@ -89,13 +90,32 @@ def on_branch(form: Expr, whole: Expr, place: Mapping[Symbol, Expr], turns: Symb
     return Equality(form.xreplace({count: turns}).subs(place), whole.subs(place))
 
 
-def jerk_terms(factor: Expr, e: Symbol, x: Expr, eps_x: Expr) -> Expr:
-    """Return the larger term of a jerk, with 1 for cos(x), and what eps*x makes of both."""
+def by_half_angle(
+    value: Expr, charts: tuple[Chart, ...], mirrors: tuple[tuple[sp.Basic, ...], ...] = ()
+) -> Form:
+    """Make the form of a quotient in the tangent of half of x, of which the low word is known."""
+    rewrites = ("low_word", "half_angle_tangent")
+    return Form(
+        "half-angle quotient with low word", value, rewrites, charts=charts, mirrors=mirrors
+    )
+
+
+def directly(value: Expr) -> Form:
+    """Make the form that divides by a power of the square of a distance."""
+    return Form("1 + e**2 - 2 e cos x", value, key="direct")
+
+
+def jerk_scale(factor: Expr, e: Symbol, x: Expr, eps_x: Expr, where: Steps = ()) -> Scale:
+    """Make the scale of a jerk by the larger of its terms, with what eps*x makes of both."""
     spread = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
     sine, cosine = sp.Abs(sp.sin(x)), sp.Abs(sp.cos(x))
     slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
     larger = sp.Max(factor / spread**2, 4 * factor * e * sp.sin(x) ** 2 / spread**3)
-    return larger + factor * eps_x * sine * slope / spread**4
+    return Scale(
+        "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
+        larger + factor * eps_x * sine * slope / spread**4,
+        where,
+    )
 
 
 def jerk_quotient(factor: Expr, e: Expr, x: Expr) -> Expr:

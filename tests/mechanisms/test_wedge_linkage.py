@@ -16,7 +16,7 @@ from mechproof import WedgeLinkage
 from mechproof.arithmetic import balls
 from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.derivations.wedge_linkage.kernels import chain
-from mechproof.derivations.wedge_linkage.kernels.conditioning import condition
+from mechproof.derivations.wedge_linkage.kernels.inputs import condition
 from mechproof.derivations.wedge_linkage.mechanics import x1 as pusher
 from mechproof.derivations.wedge_linkage.rows import boundaries
 from mechproof.kernels import wedge_linkage as kernels

@@ -6,7 +6,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._eccentric import on_branch
+from ..._eccentric import by_half_angle, directly, on_branch
 from ..mechanics import *
 from ..rows.position import print_8, print_12
 from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
@@ -150,12 +150,7 @@ QUANTITIES = (
         ARGUMENTS,
         RATIO,
         (
-            Form(
-                "half-angle quotient with low word",
-                RATIO,
-                ("low_word", "half_angle_tangent"),
-                charts=(*ECCENTRIC, ROUNDER, *PEAKS, FAR),
-            ),
+            by_half_angle(RATIO, (*ECCENTRIC, ROUNDER, *PEAKS, FAR)),
             Form(
                 "printed (8)",
                 print_8.subs(phi5, -x),
@@ -240,13 +235,8 @@ QUANTITIES = (
         ARGUMENTS,
         ACCELERATION,
         (
-            Form(
-                "half-angle quotient with low word",
-                ACCELERATION,
-                ("low_word", "half_angle_tangent"),
-                charts=SMOOTH,
-            ),
-            Form("1 + e**2 - 2 e cos x", ACCELERATION, key="direct"),
+            by_half_angle(ACCELERATION, SMOOTH),
+            directly(ACCELERATION),
             Form(
                 "half-angle sine",
                 -2 * e * k**2 * (1 - e) * (1 + e) * sp.sin(x) / HALF_ANGLE**2,

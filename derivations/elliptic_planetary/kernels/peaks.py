@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._eccentric import jerk_quotient, jerk_terms
+from ..._eccentric import by_half_angle, directly, jerk_quotient, jerk_scale
 from ..mechanics import *
 from ..rows import peaks
 from . import motion
@@ -19,10 +19,7 @@ from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
 SIZES = (R1 >= motion.LEAST, R2 >= motion.LEAST, R1 <= 10**75 * R2)
 # Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW = (sp.Or(sp.Eq(e, 0), sp.Ge(e, sp.Rational(1, 10**100))),)
-EITHER_TERM = Scale(
-    "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    jerk_terms(2 * e * k**3 * (1 - e**2), e, x, motion.EPS_X),
-)
+EITHER_TERM = jerk_scale(2 * e * k**3 * (1 - e**2), e, x, motion.EPS_X)
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
@@ -63,14 +60,8 @@ QUANTITIES = (
         motion.ARGUMENTS,
         JERK,
         (
-            Form(
-                "half-angle quotient with low word",
-                jerk_quotient(-2 * e * k**3 * (1 - e**2), e, x),
-                ("low_word", "half_angle_tangent"),
-                charts=OF_JERK,
-                mirrors=((phi1,),),
-            ),
-            Form("1 + e**2 - 2 e cos x", JERK, key="direct"),
+            by_half_angle(jerk_quotient(-2 * e * k**3 * (1 - e**2), e, x), OF_JERK, ((phi1,),)),
+            directly(JERK),
         ),
         f"second derivative of {motion.SOURCE}, equation (8)",
         accuracy=Accuracy(24, EITHER_TERM, (*motion.LOW_WORD, *SIZES, *NO_UNDERFLOW)),

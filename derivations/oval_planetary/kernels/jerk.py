@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import Accuracy, Form, Periodicity, Quantity, Scale
 
-from ..._eccentric import jerk_quotient, jerk_terms
+from ..._eccentric import by_half_angle, directly, jerk_quotient, jerk_scale
 from ..mechanics import *
 from . import forms
 from .charts import MOUNTED_NEGATED, MOUNTED_ROUNDER, NEGATED, OF_JERK
@@ -56,11 +56,7 @@ TERMS = Scale(
 CUBE_OF_SPEED = (R4 >= R5 / 10**30, R4 <= 10**80 * R5)
 # Beside half turns of x it divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
-TERMS_CYLINDRICAL = Scale(
-    "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
-    jerk_terms(8 * e2 * k**3 * (1 - e2**2), e2, x, forms.EPS_X),
-    forms.OF_X,
-)
+TERMS_CYLINDRICAL = jerk_scale(8 * e2 * k**3 * (1 - e2**2), e2, x, forms.EPS_X, forms.OF_X)
 
 QUANTITIES = (
     Quantity(
@@ -95,14 +91,8 @@ QUANTITIES = (
         OF_CYLINDERS,
         JERK_CYLINDRICAL,
         (
-            Form(
-                "half-angle quotient with low word",
-                jerk_quotient(8 * e2 * k**3 * (1 - e2**2), e2, x),
-                ("low_word", "half_angle_tangent"),
-                charts=OF_JERK,
-                mirrors=NEGATED,
-            ),
-            Form("1 + e**2 - 2 e cos x", JERK_CYLINDRICAL, key="direct"),
+            by_half_angle(jerk_quotient(8 * e2 * k**3 * (1 - e2**2), e2, x), OF_JERK, NEGATED),
+            directly(JERK_CYLINDRICAL),
         ),
         f"{SOURCE}, second derivative of (10), pair 4-5 cylindrical",
         accuracy=Accuracy(

@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._eccentric import on_branch
+from ..._eccentric import by_half_angle, directly, on_branch
 from ..mechanics import *
 from ..rows.equations import print_10, print_radius
 from . import forms
@@ -205,13 +205,7 @@ QUANTITIES = (
         OF_CYLINDERS,
         RATIO_CYLINDRICAL,
         (
-            Form(
-                "half-angle quotient with low word",
-                RATIO_CYLINDRICAL,
-                ("low_word", "half_angle_tangent"),
-                charts=STEEP,
-                mirrors=NEGATED,
-            ),
+            by_half_angle(RATIO_CYLINDRICAL, STEEP, NEGATED),
             Form(
                 "printed (4), (10)",
                 -print_10.subs({rho5: R5, rho6: print_radius(e2, x / 2)}).subs(a, (R4 + R5) / 2),
@@ -274,13 +268,8 @@ QUANTITIES = (
         OF_CYLINDERS,
         ACCELERATION_CYLINDRICAL,
         (
-            Form(
-                "half-angle quotient with low word",
-                ACCELERATION_CYLINDRICAL,
-                ("low_word", "half_angle_tangent"),
-                charts=SMOOTH,
-            ),
-            Form("1 + e**2 - 2 e cos x", ACCELERATION_CYLINDRICAL, key="direct"),
+            by_half_angle(ACCELERATION_CYLINDRICAL, SMOOTH),
+            directly(ACCELERATION_CYLINDRICAL),
         ),
         f"{SOURCE}, derivative of (10), pair 4-5 cylindrical",
         accuracy=forms.ACCURACY["acceleration_cylindrical"],

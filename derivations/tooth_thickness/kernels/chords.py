@@ -9,6 +9,7 @@ from mechproof.record import Argument, Form, Part, Quantity, Singular
 
 from ..mechanics import *
 from . import bounds
+from .charts import DEPTH_NEGATED, DEPTHS, ERRORS, ERRORS_NEGATED, FLANK_CHARTS, RACK, SHALLOW
 
 MODULE_ARGUMENT = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH_ARGUMENT = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
@@ -79,7 +80,7 @@ QUANTITIES = (
         (MODULE_ARGUMENT, PROFILE),
         chord,
         # 4.161 mm of the paper is for a module of 3 mm.
-        (Form("squared cosine", chord, charts=bounds.RACK), handbook("1.387")),
+        (Form("squared cosine", chord, charts=RACK), handbook("1.387")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
         accuracy=bounds.ACCURACY["constant_chord"],
@@ -90,7 +91,7 @@ QUANTITIES = (
         (MODULE_ARGUMENT, PROFILE),
         chord_height,
         # So is 2.243 mm.
-        (Form("double angle", chord_height, charts=bounds.RACK), handbook("0.7476")),
+        (Form("double angle", chord_height, charts=RACK), handbook("0.7476")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
         accuracy=bounds.ACCURACY["chord_height"],
@@ -101,7 +102,7 @@ QUANTITIES = (
         FLANK,
         height_change,
         (
-            Form(SHIPPED, height_change, ("cosine_minus_one",), charts=bounds.FLANK_CHARTS),
+            Form(SHIPPED, height_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
             Form(
                 "difference of two distances",
                 r_b * (distance(alpha) - distance(alpha + tilt)),
@@ -128,7 +129,7 @@ QUANTITIES = (
         FLANK,
         thickness_change,
         (
-            Form(SHIPPED, thickness_change, ("cosine_minus_one",), charts=bounds.FLANK_CHARTS),
+            Form(SHIPPED, thickness_change, ("cosine_minus_one",), charts=FLANK_CHARTS),
             Form(
                 "difference of two chords",
                 2 * r_b * (half_chord(alpha + tilt) - half_chord(alpha)),
@@ -167,7 +168,7 @@ QUANTITIES = (
         (replace(HEIGHT, usual=(0, 0.1, 10)), PROFILE),
         LINEAR,
         (
-            Form("tangent", LINEAR, charts=bounds.DEPTHS),
+            Form("tangent", LINEAR, charts=DEPTHS),
             Form(
                 "printed (1)",
                 PRINTED_INFLUENCE * dh,
@@ -193,8 +194,8 @@ QUANTITIES = (
             Form(
                 "Taylor's remainder",
                 linearisation_bound,
-                charts=(bounds.SHALLOW,),
-                mirrors=bounds.DEPTH_NEGATED,
+                charts=(SHALLOW,),
+                mirrors=DEPTH_NEGATED,
             ),
         ),
         f"{SOURCE}, step 6, second derivative on the involute",
@@ -210,7 +211,7 @@ QUANTITIES = (
         (TIP, GAUGE, PROFILE),
         ERROR,
         (
-            Form("tangent", ERROR, charts=bounds.ERRORS, mirrors=bounds.ERRORS_NEGATED),
+            Form("tangent", ERROR, charts=ERRORS, mirrors=ERRORS_NEGATED),
             Form(
                 "printed (1), steps 5 and 6",
                 PRINTED_INFLUENCE * (e_tip + dh_gauge),

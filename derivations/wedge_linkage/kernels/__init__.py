@@ -1,6 +1,6 @@
 """What can be computed of paper 4."""
 
-from . import chain, conditioning, motion, proofs, stages
+from . import chain, inputs, motion, proofs, stages
 
 QUANTITIES = (*stages.QUANTITIES, *motion.QUANTITIES)
-VARIABLES = (*chain.VARIABLES, *conditioning.VARIABLES, *proofs.VARIABLES)
+VARIABLES = (*chain.VARIABLES, *inputs.VARIABLES, *proofs.VARIABLES)

@@ -7,22 +7,7 @@ from mechproof.record import Accuracy, Chart, Form, Part, Quantity, Scale, Singu
 
 from ..._sizes import LARGEST
 from ..mechanics import BEFORE_PIVOT, MOVABLE, guide_square, l_GH, l_KL, x1
-from . import chain, charts, proofs
-from .conditioning import (
-    ANGLES,
-    AT_REST,
-    BEYOND_SQUARES,
-    CLOSING,
-    CONDITION,
-    CONDITIONING,
-    OF_GUIDE,
-    PIVOT,
-    SHORT_GUIDE,
-    arguments,
-    beside,
-    condition,
-    moderate,
-)
+from . import chain, charts, inputs, proofs
 from .stages import CHAIN_SOURCE, LOW_ROLLER
 
 CLOSED = Part(
@@ -37,31 +22,31 @@ OPEN = Part(f"{MOVABLE.text}; {proofs.UPWARD.text}", proofs.UPWARD.within, MOVAB
 IN_CASES = Part(
     f"{BEFORE_PIVOT.text}; {proofs.NOT_UPRIGHT.text}", proofs.NOT_UPRIGHT.within, BEFORE_PIVOT.where
 )
-RANGE = f"{SHORT_GUIDE} or {LOW_ROLLER}"
+RANGE = f"{inputs.SHORT_GUIDE} or {LOW_ROLLER}"
 
 ALONG_CHAIN = (
-    AT_REST,
+    inputs.AT_REST,
     Singular(
         Eq(chain.MEANT.travel, l_GH),
         "the start of contact: derivatives jump, here they are those in contact",
     ),
     Singular(Eq(chain.MEANT.offset, 0)),
-    PIVOT,
+    inputs.PIVOT,
 )
-POSITION_ALONG_CHAIN = (AT_REST, Singular(Eq(chain.MEANT.travel, l_GH)), *ALONG_CHAIN[2:])
+POSITION_ALONG_CHAIN = (inputs.AT_REST, Singular(Eq(chain.MEANT.travel, l_GH)), *ALONG_CHAIN[2:])
 
 
 # A clearance is squared nowhere.
 LINKED = (
-    *moderate(x1, *(size for size in chain.SIZES if size not in (*ANGLES, l_GH))),
+    *inputs.moderate(x1, *(size for size in chain.SIZES if size not in (*inputs.ANGLES, l_GH))),
     Le(l_GH, LARGEST),
-    CLOSING,
-    beside(l_KL + chain.MEANT.offset, "roller_condition"),
+    inputs.CLOSING,
+    inputs.beside(l_KL + chain.MEANT.offset, "roller_condition"),
 )
-PUSHING = (beside(Abs(chain.MEANT.travel - l_GH), "run_condition"), *LINKED)
-OF_ROLLER = f"{OF_GUIDE}, roller_condition of KL_x + l_KL in contact"
-LINK_EDGES = f"{CONDITIONING}: {OF_ROLLER}"
-ALL_EDGES = f"{CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"
+PUSHING = (inputs.beside(Abs(chain.MEANT.travel - l_GH), "run_condition"), *LINKED)
+OF_ROLLER = f"{inputs.OF_GUIDE}, roller_condition of KL_x + l_KL in contact"
+LINK_EDGES = f"{inputs.CONDITIONING}: {OF_ROLLER}"
+ALL_EDGES = f"{inputs.CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"
 
 
 def conditioned_in_contact(
@@ -70,10 +55,10 @@ def conditioned_in_contact(
     """Bound the error by the conditioning in contact of a value of the chain, or a norm."""
     in_contact = sp.Matrix([value]).subs(chain.MEANT.engaged, 1)
     # No one reads these long sums, and SymPy would take a second to tidy them.
-    parts = [condition(part, (x1, *chain.SIZES), tidy=False) for part in in_contact]
+    parts = [inputs.condition(part, (x1, *chain.SIZES), tidy=False) for part in in_contact]
     size = parts[0] if len(parts) == 1 else sqrt(sp.Add(*(part**2 for part in parts)))
     norm = "" if len(parts) == 1 else "norm over the entries (each keeps its own) of "
-    scale = Scale(f"{norm}{CONDITION}, in contact", size)
+    scale = Scale(f"{norm}{inputs.CONDITION}, in contact", size)
     return Accuracy(ulp, scale, within)
 
 
@@ -99,7 +84,7 @@ def differentiate(
     return Quantity(
         name,
         summary,
-        arguments(x1, *chain.SIZES),
+        inputs.arguments(x1, *chain.SIZES),
         value,
         (
             Form(
@@ -126,7 +111,7 @@ def differentiate(
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, ALL_EDGES, BEYOND_SQUARES),
+        remarks=(RANGE, ALL_EDGES, inputs.BEYOND_SQUARES),
     )
 
 
@@ -134,7 +119,7 @@ QUANTITIES = (
     Quantity(
         "position",
         "Compute the displacement y9 of the wedge, the whole chain.",
-        arguments(x1, *chain.SIZES),
+        inputs.arguments(x1, *chain.SIZES),
         chain.POSITION,
         (
             Form(
@@ -169,7 +154,7 @@ QUANTITIES = (
         on=CLOSED,
         singular=POSITION_ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, LINK_EDGES, BEYOND_SQUARES),
+        remarks=(RANGE, LINK_EDGES, inputs.BEYOND_SQUARES),
     ),
     differentiate(
         "velocity",

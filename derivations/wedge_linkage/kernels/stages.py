@@ -6,22 +6,8 @@ from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, s
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Singular
 
 from ..mechanics import *
-from . import charts, proofs
+from . import charts, inputs, proofs
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, ROLLER, guide_sum
-from .conditioning import (
-    AT_REST,
-    BEYOND_SQUARES,
-    CLOSING,
-    CONDITIONING,
-    OF_GUIDE,
-    PIVOT,
-    SHORT_GUIDE,
-    arguments,
-    beside,
-    conditioned,
-    moderate,
-    turns,
-)
 
 RUN = Argument("x5", (x5,), "displacement of the rod", "mm", usual=(0, 60))
 DRIVEN_RUN = Argument(
@@ -34,16 +20,18 @@ ROLLER_TURN = Argument("phi7", (phi7,), MEANING[phi7], "rad", usual=(0, 7))
 FOLLOWED = Part("the guide follows the pusher", where=(guide_square >= 0,))
 RAISED = Part("the roller lever follows the link 5'", where=(height_square >= 0,))
 LOW_ROLLER = "|roller_offset| > l_KL"
-GUIDE_SIZES, ARM_SIZES = moderate(x1, l_AB, l_BC, l_CD), moderate(x5, l_KL)
-GUIDED = (*GUIDE_SIZES, CLOSING)
-LIFTED = (*ARM_SIZES, beside(height_square, "height_condition"))
-GUIDE_EDGE = f"{CONDITIONING}: {OF_GUIDE}"
-HEIGHT_EDGE = f"{CONDITIONING}: height_condition of height_square = l_KL**2 - roller_offset**2"
+GUIDE_SIZES, ARM_SIZES = inputs.moderate(x1, l_AB, l_BC, l_CD), inputs.moderate(x5, l_KL)
+GUIDED = (*GUIDE_SIZES, inputs.CLOSING)
+LIFTED = (*ARM_SIZES, inputs.beside(height_square, "height_condition"))
+GUIDE_EDGE = f"{inputs.CONDITIONING}: {inputs.OF_GUIDE}"
+HEIGHT_EDGE = (
+    f"{inputs.CONDITIONING}: height_condition of height_square = l_KL**2 - roller_offset**2"
+)
 
 
 def singular_arm(turned: sp.Symbol, direction: sp.Symbol) -> tuple[Singular, ...]:
     """List where an arm has not turned, and where its end is back or farthest from its start."""
-    return (Singular(Eq(turned, 0)), Singular(Eq(direction + turned / 2, pi / 2 * turns)))
+    return (Singular(Eq(turned, 0)), Singular(Eq(direction + turned / 2, pi / 2 * inputs.turns)))
 
 
 # Accuracy, in eps.
@@ -90,18 +78,18 @@ QUANTITIES = (
     Quantity(
         "guide_radicand",
         "Compute the radicand of Q, the square of BC: the guide follows where it is not negative.",
-        arguments(x1, l_AB, l_BC, l_CD),
+        inputs.arguments(x1, l_AB, l_BC, l_CD),
         radicand,
         (Form("product", radicand, charts=charts.RADICAND),),
         f"{BAZUEV} (1)",
         unit="mm**2",
-        accuracy=conditioned(RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), GUIDE_SIZES),
-        singular=(Singular(Eq(radicand, 0)), PIVOT),
+        accuracy=inputs.conditioned(RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), GUIDE_SIZES),
+        singular=(Singular(Eq(radicand, 0)), inputs.PIVOT),
     ),
     Quantity(
         "lever_angle",
         "Compute the rotation phi3 of the lever.",
-        arguments(x1, l_AB, l_BC, l_CD),
+        inputs.arguments(x1, l_AB, l_BC, l_CD),
         LEVER,
         (
             Form("half-angle atan", -2 * sp.atan(x1 / guide_sum), charts=charts.LEVER),
@@ -125,17 +113,17 @@ QUANTITIES = (
         ),
         f"{BAZUEV} (1)",
         unit="rad",
-        accuracy=conditioned(LEVER_ULP, LEVER, (x1, l_AB, l_BC, l_CD), GUIDED),
+        accuracy=inputs.conditioned(LEVER_ULP, LEVER, (x1, l_AB, l_BC, l_CD), GUIDED),
         on=FOLLOWED,
-        singular=(AT_REST, PIVOT),
+        singular=(inputs.AT_REST, inputs.PIVOT),
         period=pi,
         workloads=LEVER_LOADS,
-        remarks=(SHORT_GUIDE, GUIDE_EDGE, BEYOND_SQUARES),
+        remarks=(inputs.SHORT_GUIDE, GUIDE_EDGE, inputs.BEYOND_SQUARES),
     ),
     Quantity(
         "rod_displacement",
         "Compute the displacement x5 of the rod.",
-        (LEVER_TURN, *arguments(l_DE, alpha_DE)),
+        (LEVER_TURN, *inputs.arguments(l_DE, alpha_DE)),
         print_3,
         (
             Form(
@@ -145,7 +133,7 @@ QUANTITIES = (
         ),
         f"{BAZUEV} (3)",
         unit="mm",
-        accuracy=conditioned(
+        accuracy=inputs.conditioned(
             PRODUCT_ULP, print_3, (phi3, alpha_DE), within_half_a_turn(phi3, l_DE)
         ),
         singular=singular_arm(phi3, alpha_DE),
@@ -153,7 +141,7 @@ QUANTITIES = (
     Quantity(
         "clearance",
         "Compute the displacement x5' of the pushed link after the clearance.",
-        (RUN, *arguments(l_GH)),
+        (RUN, *inputs.arguments(l_GH)),
         PUSHED,
         (
             Form("maximum", Max(0, x5 - l_GH), states=proofs.by_pushing, charts=charts.CLEARANCE),
@@ -173,18 +161,18 @@ QUANTITIES = (
     Quantity(
         "roller_offset",
         "Compute R, the projection of KL on Ox: the roller lever follows where |R| <= l_KL.",
-        (DRIVEN_RUN, *arguments(l_KL, alpha_KL)),
+        (DRIVEN_RUN, *inputs.arguments(l_KL, alpha_KL)),
         PRINTED_R,
         (Form("difference", PRINTED_R, charts=charts.OFFSET),),
         f"{BAZUEV}s (7) and (8)",
         unit="mm",
-        accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), ARM_SIZES),
+        accuracy=inputs.conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), ARM_SIZES),
         singular=(Singular(Eq(PRINTED_R, 0)),),
     ),
     Quantity(
         "roller_lever_angle",
         "Compute the rotation phi7 of the roller lever.",
-        (DRIVEN_RUN, *arguments(l_KL, alpha_KL)),
+        (DRIVEN_RUN, *inputs.arguments(l_KL, alpha_KL)),
         ROLLER,
         (
             Form(
@@ -222,17 +210,17 @@ QUANTITIES = (
         ),
         f"{BAZUEV}s (7) and (8)",
         unit="rad",
-        accuracy=conditioned(ROLLER_ULP, ROLLER, (x5, l_KL, alpha_KL), LIFTED),
+        accuracy=inputs.conditioned(ROLLER_ULP, ROLLER, (x5, l_KL, alpha_KL), LIFTED),
         on=RAISED,
         singular=(Singular(Eq(x5, 0)), Singular(Eq(PRINTED_R, 0))),
         period=pi,
         workloads=ROLLER_LOADS,
-        remarks=(f"NaN where {LOW_ROLLER}", HEIGHT_EDGE, BEYOND_SQUARES),
+        remarks=(f"NaN where {LOW_ROLLER}", HEIGHT_EDGE, inputs.BEYOND_SQUARES),
     ),
     Quantity(
         "wedge_displacement",
         "Compute the displacement y9 of the wedge.",
-        (ROLLER_TURN, *arguments(l_LM, alpha_LM)),
+        (ROLLER_TURN, *inputs.arguments(l_LM, alpha_LM)),
         print_10,
         (
             Form(
@@ -242,7 +230,7 @@ QUANTITIES = (
         ),
         f"{BAZUEV} (10)",
         unit="mm",
-        accuracy=conditioned(
+        accuracy=inputs.conditioned(
             PRODUCT_ULP, print_10, (phi7, alpha_LM), within_half_a_turn(phi7, l_LM)
         ),
         singular=singular_arm(phi7, alpha_LM),
