@@ -133,6 +133,19 @@ DISPLAYS = {
         r"\newcommand{\p}[2][x]{\frac{d#2}{d#1}}" + E % r"\p{y}=\p[t]{z}",
         [("(1)", r"\frac{dy}{dx}=\frac{dz}{dt}")],
     ),
+    "a name runs into no letter": (
+        r"\newcommand{\p}[1]{\sin#1}" + E % r"\p{y}=\p zt",
+        [("(1)", r"\sin y=\sin zt")],
+    ),
+    "a command with its arguments specified": (
+        r"\NewDocumentCommand{\p}{O{x} m m}{\frac{d#2}{d#1}#3}"
+        r"\DeclareDocumentCommand\q{o m}{#2_{#1}}" + E % r"\p{y}{2}=\p[t]zw+\q{c}",
+        [("(1)", r"\frac{dy}{dx}2=\frac{dz}{dt}w+c_{}")],
+    ),
+    "a pair of delimiters": (
+        r"\DeclarePairedDelimiter{\p}{\lvert}{\rvert}" + E % r"\p{y}=\p*{z}+\p[\big]w",
+        [("(1)", r"\left\lvert y\right\rvert=\left\lvert z\right\rvert+\left\lvert w\right\rvert")],
+    ),
     "an operator": (
         r"\DeclareMathOperator{\inv}{inv}" + E % r"\inv a=b",
         [("(1)", r"\operatorname{inv} a=b")],

@@ -15,7 +15,7 @@ from mechproof.latex.words import ELSE, IF, UNDEFINED
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix", "smallmatrix")
+MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix")
 _DOTS = (r"\dots", r"\vdots", r"\ddots")
 _BRACED = "Bmatrix"
 _CASES = ("cases", "dcases", _BRACED)

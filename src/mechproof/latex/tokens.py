@@ -16,6 +16,7 @@ from mechproof.latex.characters import read_script
 from mechproof.latex.errors import PrintedText
 from mechproof.latex.latex_signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
+from mechproof.latex.package_commands import expand_commands
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
@@ -37,8 +38,12 @@ _QUESTION = "?"
 # What takes the place of its argument and shows nothing.
 _UNSEEN = (r"\phantom", r"\hphantom", r"\vphantom")
 _COLOURS = (r"\color", r"\textcolor")
-# Matrices of mathtools, which may say how their columns stand.
-_ALIGNED = ("pmatrix*", "bmatrix*", "Bmatrix*", "vmatrix*", "matrix*")
+# Matrices and cases of packages; those with a star may say how their columns stand.
+_ENVIRONMENTS = {
+    f"{kind}{name}": f"{kind}matrix"
+    for kind in ("", "p", "b", "B", "v")
+    for name in ("matrix*", "smallmatrix", "smallmatrix*", "NiceMatrix")
+} | {"array": "matrix", "cases*": "cases", "dcases*": "dcases"}
 _DEGREE = ("°", r"\degree")
 
 
@@ -66,7 +71,7 @@ def read_signs(latex: str) -> tuple[tuple[Token, ...], tuple[tuple[int, int], ..
 class _Normaliser:
     def __init__(self, latex: str) -> None:
         self.source = PrintedText(latex)
-        self.raw = split_signs(latex)
+        self.raw = expand_commands(split_signs(latex))
         self.place = 0
         self.groups: list[tuple[int, int]] = []
 
@@ -227,18 +232,15 @@ class _Normaliser:
 
     def _read_environment(self, first: Token) -> Token:
         """Read a beginning or an end; an array is a matrix, whatever its columns are."""
-        words, end = self._read_words()
-        if words in _ALIGNED:
-            words = words.removesuffix("*")
-            if first.text == r"\begin" and self._peek() == "[":
-                self._take()
-                self._read_until("]")
-                end = self._close("]").end
-        if words == "array":
-            words = "matrix"
-            if first.text == r"\begin":
-                _, end = self._read_words()
-        return Token(f"{first.text}{{{words}}}", first.start, end)
+        inside, end = self._read_group()
+        name = "".join(sign.text for sign in inside)
+        if first.text == r"\begin" and name.endswith("*") and self._peek() == "[":
+            self._take()
+            self._read_until("]")
+            end = self._close("]").end
+        if first.text == r"\begin" and name == "array":
+            _, end = self._read_group()
+        return Token(f"{first.text}{{{_ENVIRONMENTS.get(name, name)}}}", first.start, end)
 
     def _read_arguments(self, command: Token) -> list[Token]:
         signs = [command]
@@ -276,12 +278,17 @@ class _Normaliser:
 
     def _read_words(self) -> tuple[str, int]:
         """Return the text in the braces that follow, as it stands."""
-        opening = self._close("{")
-        depth = 1
+        start = self.raw[self.place].end if self.place < len(self.raw) else 0
+        _, end = self._read_group()
+        return self.source.latex[start : self.raw[self.place - 1].start], end
+
+    def _read_group(self) -> tuple[list[Token], int]:
+        """Return the signs in the braces that follow, and where these end."""
+        self._close("{")
+        first, depth = self.place, 1
         while depth:
-            sign = self._take()
-            depth += {"{": 1, "}": -1}.get(sign.text, 0)
-        return self.source.latex[opening.end : sign.start], sign.end
+            depth += {"{": 1, "}": -1}.get(self._take().text, 0)
+        return self.raw[first : self.place - 1], self.raw[self.place - 1].end
 
     def _read_upright(self, command: Token) -> Token:
         r"""`\mathrm{tg}` is the function `\tg`, `\mathrm{d}x` the differential."""
@@ -313,6 +320,9 @@ class _Normaliser:
             else:
                 inner = self._read_sign_script(mark)
             kind, inside = inner[0].text, inner[2:-1]
+            if not inside:
+                # What a macro makes of an order that is not given.
+                continue
             signs = (_SUFFIXES.get(t.text, "") for t in inside if kind == "^")
             suffixes = [*takewhile(bool, signs)]
             power = inside[len(suffixes) :]

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from mechproof.latex.latex_signs import join as join_signs
 from mechproof.latex.sentences import find_brace
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.paper_files import DocumentError
@@ -13,23 +14,31 @@ from mechproof.sources.paper_files import DocumentError
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000
 _COMMAND = re.compile(r"\\[A-Za-z@]+")
+_NAME = r"\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
 _DEFINING = re.compile(
-    r"\\(?:(?:(?:re)?new|provide)command\*?|DeclareSIUnit(?:\s*\[[^]]*\])?)\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
-    r"|\\DeclareMathOperator(\*?)\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
+    rf"\\(?:(?:(?:re)?new|provide)command\*?|DeclareRobustCommand\*?|DeclareSIUnit(?:\s*\[[^]]*\])?){_NAME}"
+    rf"|\\(?:New|Renew|Provide|Declare)DocumentCommand{_NAME}"
+    rf"|\\DeclarePairedDelimiter{_NAME}|\\DeclareMathOperator(\*?){_NAME}"
     r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
 )
 _COUNT = re.compile(r"\s*\[(\d)\]")
+# The arguments of \NewDocumentCommand, as far as \newcommand has the like.
+_SPECIFIED = re.compile(r"\s*\{\s*(?:(o)|O\s*\{([^{}]*)\})?((?:\s*m)*)\s*\}")
 _OPTION = re.compile(r"\s*\[([^\[\]]*)\]")
 _PARAMETER = re.compile(r"#(\d)")
 
 
 @dataclass(frozen=True)
 class Macro:
-    """A body with parameters #1, #2 ..., and the first one's value where a call has none."""
+    """A body with parameters #1, #2 ..., and the first one's value where a call has none.
+
+    A call may have a star that changes nothing but sizes.
+    """
 
     body: str
     count: int = 0
     default: str | None = None
+    has_star: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,7 +67,7 @@ def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
 
 
 def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | None, int]:
-    new, starred, operator, defined, parameters, let, other = match.groups()
+    new, specified, paired, starred, operator, defined, parameters, let, other = match.groups()
     if let:
         return let, Macro(other), match.end()
     count, default, place = parameters.count("#") if parameters else 0, None, match.end()
@@ -66,13 +75,18 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | No
         count, place = int(found[1]), found.end()
         if found := _OPTION.match(string, place):
             default, place = found[1], found.end()
+    if specified and (found := _SPECIFIED.match(string, place)):
+        default, place = "" if found[1] else found[2], found.end()
+        count = found[3].count("m") + (default is not None)
     argument = _read_argument(string, place)
-    name = new or operator or defined
+    name = new or specified or paired or operator or defined
     if argument is None or string[place:].lstrip()[:1] != "{":
         return name, None, match.end()
     body, end = argument
     if operator:
         body = rf"\operatorname{starred}{{{body}}}"
+    if paired and (closing := _read_argument(string, end)):
+        return name, Macro(rf"\left{body}#2\right{closing[0]}", 2, "", has_star=True), closing[1]
     return name, Macro(body, count, default), end
 
 
@@ -96,6 +110,7 @@ def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
 def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
     """Return what a call stands for, and where it ends."""
     given, end = [], found.end()
+    end += macro.has_star and string.startswith("*", end)
     if macro.default is not None:
         option = _OPTION.match(string, end)
         given.append(option[1] if option else macro.default)
@@ -106,10 +121,11 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
             raise DocumentError(f"{found[0]} needs {macro.count} arguments")
         given.append(argument[0])
         end = argument[1]
-    body = _PARAMETER.sub(lambda m: (given[int(m[1]) - 1 :] or [m[0]])[0], macro.body)
-    # A name that ends the body would run into a letter behind it.
-    follows = string[end : end + 1].isalpha() and re.search(r"\\[A-Za-z]+$", body)
-    return body + " " if follows else body, end
+    parts = _PARAMETER.split(macro.body)
+    parts[1::2] = [(given[int(n) - 1 :] or [f"#{n}"])[0] for n in parts[1::2]]
+    # A name would run into a letter behind it.
+    behind = string[end : end + 1]
+    return join_signs([*parts, behind]).removesuffix(behind), end
 
 
 def _read_argument(string: str, place: int) -> tuple[str, int] | None:

@@ -1,0 +1,150 @@
+r"""Commands of packages that abbreviate what plain LaTeX prints: \dv{x}{t} is \frac{dx}{dt}.
+
+The packages are physics, derivative, diffcoeff, esdiff, commath, mathtools, nicefrac and xfrac.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+
+from mechproof.latex.latex_signs import CLOSING, OPENING, Token, split_signs
+
+# What closes an argument, by what opens it.
+_CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
+# An argument that may be one sign without braces.
+_ANY = "."
+# An argument as it stands, and one in brackets, if there is any.
+_PLAIN, _IN_BRACKETS = "#", "@"
+# How the arguments of a call begin, and what it stands for; of several the first that a call has.
+_Forms = tuple[tuple[str, str], ...]
+
+
+def _derive(sign: str) -> _Forms:
+    """Return the forms of a derivative: with and without an order and what is derived."""
+    return (
+        ("[{{", rf"\frac{{{sign}^{{#1}}@2}}{{{sign}#3^{{#1}}}}"),
+        ("[.", rf"\frac{{{sign}^{{#1}}}}{{{sign}#2^{{#1}}}}"),
+        ("{{", rf"\frac{{{sign}@1}}{{{sign}#2}}"),
+        (".", rf"\frac{{{sign}}}{{{sign}#1}}"),
+    )
+
+
+def _enclose(opening: str, closing: str) -> _Forms:
+    return (("[.", f"{opening}#2{closing}"), (".", f"{opening}#1{closing}"))
+
+
+def _set_out(kind: str) -> _Forms:
+    """Return the form of a matrix whose entries stand in braces."""
+    return (("{", rf"\begin{{{kind}}}#1\end{{{kind}}}"),)
+
+
+_MIXED = ("{{{", r"\frac{\partial^{2}@1}{\partial#2\partial#3}")
+_BARS, _NORM = _enclose(r"\left|", r"\right|"), _enclose(r"\left\|", r"\right\|")
+_FRACTION: _Forms = (("..", r"\frac{#1}{#2}"),)
+_ITSELF: _Forms = ((".", "#1"),)
+_COMMANDS: Mapping[str, _Forms] = {
+    **dict.fromkeys((r"\dv", r"\odv", r"\od", r"\dod", r"\tod", r"\diff"), _derive("d")),
+    **dict.fromkeys(
+        (r"\pdv", r"\pd", r"\dpd", r"\tpd", r"\diffp"), (_MIXED, *_derive(r"\partial"))
+    ),
+    r"\dd": (("[{", "d^{#1}#2"), ("{", "d#1"), ("", "d")),
+    **dict.fromkeys((r"\dif", r"\dl"), (("", "d"),)),
+    **dict.fromkeys((r"\abs*", r"\vqty"), _BARS),
+    **dict.fromkeys((r"\norm", r"\norm*"), _NORM),
+    # With two arguments it is a number and its unit, of siunitx, and stays so.
+    r"\qty": (
+        *(("{{", ""), ("{", r"\left\{#1\right\}")),
+        *(("(", r"\left(#1\right)"), ("[", r"\left[#1\right]"), ("|", r"\left|#1\right|")),
+    ),
+    r"\pqty": _enclose(r"\left(", r"\right)"),
+    **dict.fromkeys((r"\bqty", r"\Bqty"), _enclose(r"\left[", r"\right]")),
+    r"\eval": (("{", r"\left.#1\right|"),),
+    r"\mqty": tuple(
+        (opening, rf"\begin{{{kind}}}#1\end{{{kind}}}")
+        for opening, kind in {"{": "matrix", "(": "pmatrix", "[": "bmatrix", "|": "vmatrix"}.items()
+    ),
+    **{rf"\{kind[0]}mqty": _set_out(kind) for kind in ("pmatrix", "bmatrix", "vmatrix")},
+    **dict.fromkeys((r"\vb", r"\vb*"), ((".", r"\mathbf{#1}"),)),
+    **dict.fromkeys((r"\va", r"\va*"), ((".", r"\vec{#1}"),)),
+    **dict.fromkeys((r"\vu", r"\vu*"), ((".", r"\hat{\mathbf{#1}}"),)),
+    r"\vdot": (("", r"\cdot"),),
+    **dict.fromkeys((r"\cross", r"\cp"), (("", r"\times"),)),
+    **dict.fromkeys((r"\nicefrac", r"\sfrac", r"\flatfrac"), _FRACTION),
+    r"\prescript": (("...", "{}^{#1}_{#2}#3"),),
+    **dict.fromkeys((r"\ensuremath", r"\substack", r"\smash", r"\mathclap"), _ITSELF),
+    **dict.fromkeys((r"\mathrel", r"\mathbin", r"\mathord"), _ITSELF),
+}
+
+
+def expand_commands(signs: Sequence[Token]) -> list[Token]:
+    """Put what commands of packages stand for in their place; a call in no known form is left."""
+    expanded: list[Token] = []
+    place = 0
+    while place < len(signs):
+        found = next(_find_calls(signs, place), None)
+        if found is None or not found[0]:
+            expanded.append(signs[place])
+            place += 1
+            continue
+        body, arguments, end = found
+        written = _fill(_split(body), [expand_commands(one) for one in arguments])
+        start, stop = signs[place].start, signs[end - 1].end
+        expanded += (replace(t, start=start, end=stop) if t.end < 0 else t for t in written)
+        place = end
+    return expanded
+
+
+def _find_calls(
+    signs: Sequence[Token], place: int
+) -> Iterator[tuple[str, list[Sequence[Token]], int]]:
+    """Yield the bodies that a call may stand for, its arguments, and where it ends."""
+    for form, body in _COMMANDS.get(signs[place].text, ()):
+        arguments: list[Sequence[Token]] = []
+        end = place + 1
+        for opening in form:
+            argument, end = _read_argument(signs, end, opening)
+            if not end:
+                break
+            arguments.append(argument)
+        else:
+            yield body, arguments, end
+
+
+def _read_argument(signs: Sequence[Token], place: int, opening: str) -> tuple[Sequence[Token], int]:
+    """Return an argument and where it ends, 0 if there is none that begins so."""
+    first = signs[place].text if place < len(signs) else ""
+    if opening == _ANY and first != "{":
+        is_sign = first.isalnum() or (first.startswith("\\") and first != r"\\")
+        return (signs[place : place + 1], place + 1) if is_sign else ((), 0)
+    if first != "{" if opening == _ANY else first != opening:
+        return (), 0
+    depth = 0
+    for end in range(place + 1, len(signs)):
+        text = signs[end].text
+        if not depth and text == _CLOSING[first]:
+            return signs[place + 1 : end], end + 1
+        depth += (text in OPENING) - (text in CLOSING)
+    return (), 0
+
+
+@cache
+def _split(body: str) -> tuple[Token, ...]:
+    """Split a body; its signs have no places of their own."""
+    return tuple(replace(sign, start=-1, end=-1) for sign in split_signs(body))
+
+
+def _fill(body: Sequence[Token], arguments: Sequence[Sequence[Token]]) -> Iterator[Token]:
+    signs = iter(body)
+    for sign in signs:
+        if sign.text not in (_PLAIN, _IN_BRACKETS):
+            yield sign
+            continue
+        argument = arguments[int(next(signs).text) - 1]
+        has_brackets = sign.text == _IN_BRACKETS and argument
+        yield from (
+            [replace(sign, text="("), *argument, replace(sign, text=")")]
+            if has_brackets
+            else argument
+        )
