@@ -81,7 +81,8 @@ CHANGES = {
     **{str(n): str((n + 1) % 10) for n in range(10)},
     **{"+": "-", "-": "+", "=": "<", "(": ")", ")": "(", "{": "}", "}": "{", "_": "^", "^": "_"},
     **{"a": "e", "e": "a", "x": "e", "R": "a", "C": "x", "q": "n", "n": "q", "k": "n", "d": "x"},
-    **{"s": "c", "c": "s", "t": "s", "i": "o", "o": "i", "g": "n", "'": "2", "V": "R", "A": "B"},
+    # A changed t is no s: \sfrac prints the fraction of \tfrac.
+    **{"s": "c", "c": "s", "t": "r", "i": "o", "o": "i", "g": "n", "'": "2", "V": "R", "A": "B"},
 }
 SYSTEMS = ("elliptic_planetary", "measurement")
 
