@@ -412,7 +412,7 @@ def test_an_accusation_names_what_it_is_compared_with() -> None:
 
 
 def test_without_a_block_letters_are_real_numbers_and_told() -> None:
-    found = check("paper.tex", r"$$k=\frac{a}{b}$$ $$k^2=\frac{a^2}{b^2}$$ $$f(x)=x$$")
+    found = check("paper.tex", r"$$k=\frac{a}{b}$$ $$k^2=\frac{a^2}{b^2}$$ $$f(x+1)=x$$")
     assert found.taken == ("k", "a", "b", "f", "x")
     assert [row.outcome for row in found.rows] == ["DEFINITION", "PROVED", "not read"]
 

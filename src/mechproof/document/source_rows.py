@@ -32,7 +32,8 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
-from mechproof.nomenclature.declarations import add_phases, declare
+from mechproof.nomenclature.declarations import add_shown, declare
+from mechproof.nomenclature.defined_functions import find_defined
 from mechproof.nomenclature.possible_matrices import find_possible_matrices
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
@@ -105,13 +106,17 @@ class Document:
             for x in letters
             if not shown_letters.is_vector(x) or shown_letters.name_symbol(x) in shapes
         )
-        self.block.letters += [
-            Declared(names, shape=shapes.get(shown_letters.name_symbol(names[0])))
-            for names in shown_letters.group_alike(self.taken)
-        ]
+        called: dict[str, str] = {}
+        for letter, by in find_defined(prints):
+            called.setdefault(shown_letters.name_symbol(letter), by)
+        for names in shown_letters.group_alike(self.taken):
+            by = called.get(shown_letters.name_symbol(names[0]), "")
+            whole = f"{names[0]}({by})" if by else names[0]
+            shape = shapes.get(shown_letters.name_symbol(whole))
+            self.block.letters.append(_take(names, shape, by))
 
     def _declare(self, laws: Mapping[sp.Basic, list[LawPiece]], later: Later) -> None:
-        declared = add_phases(declare(self.block), (one.latex.string for one in self.printed))
+        declared = add_shown(declare(self.block), [one.latex.string for one in self.printed])
         self.symbols = add_scopes(declared, self.block, self.printed)
         self.known = Known(self.symbols)
         for text in self.block.values:
@@ -286,3 +291,10 @@ class Document:
         place = printed.locate(self.files, error.place)
         latex, reason = printed.latex.string, error.args[0]
         return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
+
+
+def _take(names: tuple[str, ...], shape: tuple[int, int] | None, by: str) -> Declared:
+    """Take a letter, one that is printed as a function of these as one; of several by its print."""
+    if by and (shape or "," in by):
+        return Declared((f"{names[0]}({by})", *names), shape=shape)
+    return Declared(names, shape=shape, running=by)

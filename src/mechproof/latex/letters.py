@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
@@ -99,19 +100,25 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     return bracket is None or is_sum
 
 
-def skip_argument(parser: Parser, raised: Node) -> None:
-    r"""Go on behind what a declared name has in its bracket: R^T(\theta) is R(\theta)^T.
+def read_argument_behind(parser: Parser, raised: Power | Transposed) -> Node:
+    r"""Read what a declared name has in its bracket behind a power: R^T(\theta) is R(\theta)^T.
 
     f^{-1}(x) may be an inverse function.
     """
-    base = raised.of if isinstance(raised, Transposed) else getattr(raised, "base", None)
-    exponent = getattr(raised, "exponent", None)
+    base = raised.of if isinstance(raised, Transposed) else raised.base
+    exponent = raised.exponent if isinstance(raised, Power) else None
     if not isinstance(base, Letter) or not (shows_matrix(base) or isinstance(exponent, Number)):
-        return
+        return raised
     for signs in parser.names.list_arguments(base.symbol):
         if tuple(token.text for token in parser.rest[: len(signs)]) == signs:
             parser.place += len(signs)
-            return
+            return raised
+    if not (places.is_value(parser, base) or _is_called(parser, base)):
+        return raised
+    value = places.read_value(parser, base)
+    if isinstance(raised, Transposed):
+        return replace(raised, of=value, end=parser.end)
+    return replace(raised, base=value, end=parser.end)
 
 
 def _may_be_called(parser: Parser) -> bool:
@@ -209,7 +216,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
     _refuse_continuation(parser, latex, place)
     text = "".join([token.text for token in parser.tokens[place : match.end]])
     letter = Letter(match.name.symbol, text, indices, start=start, end=parser.end)
-    if places.is_value(parser, letter):
+    if places.is_value(parser, letter) or _is_called(parser, letter):
         return places.read_value(parser, letter)
     other = parser.names.longer(match.name, "(") if parser.text == "(" else None
     is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
@@ -223,6 +230,18 @@ def _read_name(parser: Parser, match: Match) -> Node:
             parser.remedies.bracket.format(latex),
         )
     return letter
+
+
+def _is_called(parser: Parser, letter: Letter) -> bool:
+    """Return whether a letter that depends, and always has a bracket, has its argument there."""
+    if letter.text not in parser.notation.bracketed or letter.text in parser.factors:
+        return False
+    if parser.text != "(" or not places.find_running(parser, letter):
+        return False
+    bracket, _ = _look_at_bracket(parser)
+    inside = bracket.inside if isinstance(bracket, Bracket) else None
+    is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=False)
+    return inside is not None and not is_sum and not _is_of_others(parser, letter)
 
 
 def _is_of_others(parser: Parser, letter: Letter) -> bool:

@@ -320,8 +320,9 @@ class Parser:
     def _raise(self, base: tree.Node, start: int) -> tree.Node:
         raised = atoms.read_special_power(self, base, start)
         raised = raised or tree.Power(base, self.read_script("^"), start=start, end=self.end)
-        letters.skip_argument(self, raised)
-        return raised
+        if not isinstance(raised, tree.Power | tree.Transposed):
+            return raised
+        return letters.read_argument_behind(self, raised)
 
     def read_script(self, mark: str) -> tree.Node:
         """Read the expression in a script."""

@@ -139,7 +139,7 @@ def is_value(parser: Parser, letter: Letter) -> bool:
     It is a number, x(0), x(t=0), another letter, s(\beta), or a number times or by that, s(2\beta),
     s(\frac{\beta}{2}), or beside x(t) a sum with t, x(t+T). Another sum may be a factor.
     """
-    running = _find_running(parser, letter)
+    running = find_running(parser, letter)
     if parser.text != "(" or letter.text in parser.factors or running is None:
         return False
     if letter.symbol in parser.notation.called or _is_letter_inside(parser, letter):
@@ -184,7 +184,7 @@ def _is_letter_inside(parser: Parser, letter: Letter) -> bool:
     return met == 1
 
 
-def _find_running(parser: Parser, letter: Letter) -> Letter | None:
+def find_running(parser: Parser, letter: Letter) -> Letter | None:
     """Return the letter that a letter depends on, or of which a matrix is declared a function."""
     if isinstance(letter.symbol, sp.MatrixSymbol):
         name = parser.names.find_argument(letter.symbol)
@@ -204,7 +204,7 @@ def _read_point(parser: Parser, sign: int) -> Node:
 
 def read_value(parser: Parser, letter: Letter) -> Node:
     """Read x(0), the value of a letter that depends on another one."""
-    running = _find_running(parser, letter)
+    running = find_running(parser, letter)
     assert running is not None
     sign = _find_sign(parser, letter, running)
     point = parser.read_inside("(", lambda: _read_point(parser, sign), ")")

@@ -37,7 +37,7 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     brackets: dict[str, list[bool]] = defaultdict(list)
     for texts in map(list_signs, prints):
         spans = list(_find_integrals(texts))
-        ends = ((x, _skip_power(texts, end)) for x, end in _list_letters(texts))
+        ends = ((x, skip_power(texts, end)) for x, end in list_letters(texts))
         met = [(letter, n, texts[n : n + 1]) for letter, n in ends]
         around = {n: {by for low, high, by in spans if low < n <= high} for _, n, _ in met}
         bare |= {letter for letter, _, behind in met if behind != ["("]}
@@ -67,7 +67,7 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
         going = {"".join(texts[n + 3 : n + 4]) for n, x in enumerate(texts) if x == r"\lim"}
         going |= {by for *two, by in zip(texts, texts[1:], texts[2:], strict=False) if two == _BY}
         for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
-            n = _skip_power(texts, start + 1)
+            n = skip_power(texts, start + 1)
             while texts[n : n + 1] and is_digit(texts[n]):
                 n += 1
             one, other, third = (*texts[n : n + 3], "", "", "")[:3]
@@ -99,7 +99,7 @@ def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
     end = find_close(texts[middle:]) + middle
     behind = "".join(texts[end + 1 : end + 2])
     parts = (texts[:middle], texts[middle:end])
-    over, under = ({letter for letter, _ in _list_letters(part)} for part in parts)
+    over, under = ({letter for letter, _ in list_letters(part)} for part in parts)
     is_rate = bool(under) or over <= {r"\pi", *_SPEEDS} or behind == r"\pi"
     if behind in (*RUNNING, r"\pi") and is_rate and all(map(_is_fixed, over | under)):
         yield from ((letter, behind) for letter in over | under)
@@ -122,7 +122,7 @@ def find_increments(prints: Sequence[str]) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
+def list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
     """Yield each letter with its index, and where it ends; none with a prime, or behind a d."""
     end = 0
     for place, text in enumerate(texts):
@@ -136,7 +136,8 @@ def _list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
             yield "".join(texts[place:end]), end
 
 
-def _skip_power(texts: Sequence[str], place: int) -> int:
+def skip_power(texts: Sequence[str], place: int) -> int:
+    """Return where the power ends that stands at a place, if there is one."""
     if texts[place : place + 2] == ["^", "{"] and "}" in texts[place:]:
         return texts.index("}", place) + 1
     return place

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import product
@@ -16,6 +16,7 @@ from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import find_phases
 from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.cells import name_unit
+from mechproof.nomenclature.defined_functions import find_bracketed
 from mechproof.nomenclature.said_relations import narrow, read_relations
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.nomenclature.symbol_names import (
@@ -221,14 +222,22 @@ def _find_phases(
     yield from product([sp.pi], speeds)
 
 
-def add_phases(symbols: Symbols, prints: Iterable[str]) -> Symbols:
-    r"""Return the symbols with phases that prints show, \cos\Omega t, of letters without units."""
+def add_shown(symbols: Symbols, prints: Sequence[str]) -> Symbols:
+    r"""Return the symbols with what prints show: letters that have brackets behind them everywhere.
+
+    And phases of letters without units, \cos\Omega t.
+    """
     names = {name: v.symbol for v in symbols.variables for name in v.latex}
-    pairs = find_phases(text for text in prints if _has_signs(text))
+    prints = [text for text in prints if _has_signs(text)]
+    pairs = find_phases(prints)
     shown = ((names.get(one), names.get(other)) for one, other in pairs)
     found = {(one, other) for one, other in shown if {one, other} & symbols.bare and one and other}
-    phases = symbols.notation.phases | found
-    return replace(symbols, notation=replace(symbols.notation, phases=phases))
+    notation = replace(
+        symbols.notation,
+        phases=symbols.notation.phases | found,
+        bracketed=find_bracketed(prints),
+    )
+    return replace(symbols, notation=notation)
 
 
 def _has_signs(text: str) -> bool:

@@ -19,6 +19,7 @@ from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.words import ELSE, IF, to_text
 from mechproof.nomenclature.cells import name_unit
+from mechproof.nomenclature.defined_functions import find_defined
 from mechproof.record import Notation, Variable
 
 T = TypeVar("T")
@@ -151,7 +152,8 @@ def collect_letters(
     kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
     names = {*map(name_symbol, kept)}
     guessed = [x for x in guesses.letters if name_symbol(x) not in names]
-    factors = [*guesses.factors]
+    called = {name_symbol(x) for x, _ in find_defined(prints)}
+    factors = [x for x in guesses.factors if name_symbol(x) not in called]
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
 
 

@@ -68,7 +68,8 @@ class Notation:
     stand side by side in an angle: a function without brackets takes both, `\cos\omega t`.
     `dimensions` are those of letters with a unit: they tell the brackets that multiply one from
     those that hold an argument. `called` are letters that are functions of one: what stands in a
-    bracket behind them is put for that. `parameters` are the letters by which derivatives go that
+    bracket behind them is put for that, as it is for `bracketed` letters of `moving` and matrices,
+    which never stand without a bracket. `parameters` are the letters by which derivatives go that
     are printed by one that these give, dy/dx of x(t) and y(t). `imaginary` is the letter of the
     imaginary unit; e is Euler's number beside it.
     """
@@ -91,6 +92,7 @@ class Notation:
     dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=lambda: MappingProxyType({}))
     parameters: Mapping[sp.Basic, sp.Symbol] = field(default_factory=lambda: MappingProxyType({}))
     called: Mapping[sp.Basic, sp.Symbol] = field(default_factory=lambda: MappingProxyType({}))
+    bracketed: frozenset[str] = frozenset()
     imaginary: str = ""
 
 

@@ -1,0 +1,85 @@
+"""Functions that prints define: they are read at other arguments, and nothing else is."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof import check
+from mechproof.document.drafts.draft import draft_block
+from mechproof.sources.paper_files import read_source
+
+TURN = r"R_z(\theta)=\begin{bmatrix}\cos\theta&-\sin\theta\\\sin\theta&\cos\theta\end{bmatrix}"
+MOTION = r"q(t)=A\cos\omega t"
+BLOCK = "%% mechproof\n%% f(x) :\n%% a :\n%% b :\n%% end\n"
+
+
+def judge(*prints: str, block: str = "") -> list[str]:
+    text = block + "\n".join(rf"\begin{{equation}}{latex}\end{{equation}}" for latex in prints)
+    return [row.outcome for row in check("paper.tex", text).rows]
+
+
+@pytest.mark.parametrize(
+    ("defined", "true", "wrong"),
+    [
+        ("f(x)=x^2+1", "f(a+b)=(a+b)^2+1", "f(a+b)=a^2+b^2+2"),
+        ("f(x)=x^2+1", "f(2)=5", "f(2)=6"),
+        ("f(x)=x^2+1", "f'(x)=2x", "f'(x)=x"),
+        ("f(x)=x^2+1", "f(u)=u^2+1", "f(u)=u^2"),
+        (
+            TURN,
+            r"R_z(\alpha)R_z(\beta)=R_z(\alpha+\beta)",
+            r"R_z(\alpha)R_z(\beta)=R_z(\alpha\beta)",
+        ),
+        (TURN, r"R_z(\alpha)^{-1}=R_z(-\alpha)", r"R_z(\alpha)^{-1}=R_z(\pi-\alpha)"),
+        (TURN, r"R_z^T(\theta)R_z(2\theta)=R_z(\theta)", r"R_z^T(\theta)R_z(2\theta)=R_z(3\theta)"),
+        (TURN, r"R_z^{-1}(\alpha)=R_z(-\alpha)", r"R_z^{-1}(\alpha)=R_z(\pi-\alpha)"),
+        (MOTION, r"\dot q(t)=-A\omega\sin\omega t", r"\dot q(t)=A\omega\sin\omega t"),
+        (MOTION, r"\ddot q(t)=-\omega^2q(t)", r"\ddot q(t)=\omega^2q(t)"),
+        (MOTION, r"q(t+\frac{\pi}{\omega})=-q(t)", r"q(t+\frac{\pi}{\omega})=q(t)+1"),
+    ],
+)
+def test_a_function_that_is_defined_is_read_at_other_arguments(
+    defined: str, true: str, wrong: str
+) -> None:
+    assert judge(defined, true) == ["DEFINITION", "PROVED"]
+    assert judge(defined, wrong)[1] in ("REFUTED", "not judged")
+
+
+def test_of_several_arguments_the_first_is_its_own() -> None:
+    assert judge("f(x)=x^2", "f(u)=u^2", "f(u)=u^3") == ["DEFINITION", "PROVED", "REFUTED"]
+
+
+def test_a_function_of_several_letters_is_known_by_its_print() -> None:
+    print_of_both = r"T(\theta,d)=\begin{bmatrix}\cos\theta&d\\0&1\end{bmatrix}"
+    assert judge(print_of_both, r"\det T(\theta,d)=\cos\theta") == ["DEFINITION", "PROVED"]
+    assert judge(print_of_both, r"\det T(\theta,d)=d+1")[1] == "DEFINITION"
+    assert judge(print_of_both, r"\det T(\alpha,d)=\cos\alpha")[1] == "not read"
+
+
+@pytest.mark.parametrize(
+    "prints",
+    [
+        # The letter stands alone elsewhere: a bracket may multiply it.
+        ("f(x)=x^2", "f=a+b", "f(a+b)=ab"),
+        # Nothing defines it.
+        ("f(x+1)=x^2", "f(a+b)=ab"),
+        ("f(x)=2", "f(a+b)=ab"),
+        # It is defined for one argument: this sum, with a cosine, is none.
+        (r"r(\varphi)=a\varphi", r"r(1-\cos\varphi)=b"),
+    ],
+)
+def test_what_may_be_a_product_is_not_read(prints: tuple[str, ...]) -> None:
+    assert judge(*prints)[-1] == "not read"
+
+
+def test_a_declared_function_is_read_at_sums_where_it_never_stands_alone() -> None:
+    prints = ("f(x)=x^2", "f(a+b)=(a+b)^2")
+    assert judge(*prints, block=BLOCK) == ["DEFINITION", "PROVED"]
+    assert judge(*prints, "a=f", block=BLOCK)[1] == "not read"
+    assert judge(*prints, block=BLOCK.replace("%% end", "%% factor f\n%% end"))[1] != "PROVED"
+
+
+def test_a_draft_takes_no_function_as_a_factor() -> None:
+    text = f"$${TURN}$$ $$R_z(\\alpha)R_z(\\beta)=R_z(\\alpha+\\beta)$$ $$k(a+b)=ka+kb$$"
+    block = draft_block(read_source("paper.tex", text))
+    assert [line for line in block.splitlines() if "factor" in line] == ["%% factor k"]
