@@ -49,6 +49,13 @@ def test_of_several_arguments_the_first_is_its_own() -> None:
     assert judge("f(x)=x^2", "f(u)=u^2", "f(u)=u^3") == ["DEFINITION", "PROVED", "REFUTED"]
 
 
+def test_functions_may_be_defined_beside_each_other() -> None:
+    assert judge(r"f(x)=x^2,\quad g(x)=2x", "f'(u)=g(u)") == [*2 * ["DEFINITION"], "PROVED"]
+    assert judge("f(x)=x^2, g(x)=x", "f'(u)=g(u)")[-1] != "PROVED"
+    other = TURN.replace("R_z", "R_y")
+    assert judge(f"{TURN}, {other}", r"R_z(\alpha)=R_y(\alpha)") == [*2 * ["DEFINITION"], "PROVED"]
+
+
 def test_a_function_of_several_letters_is_known_by_its_print() -> None:
     print_of_both = r"T(\theta,d)=\begin{bmatrix}\cos\theta&d\\0&1\end{bmatrix}"
     assert judge(print_of_both, r"\det T(\theta,d)=\cos\theta") == ["DEFINITION", "PROVED"]

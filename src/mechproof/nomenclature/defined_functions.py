@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import takewhile
+from itertools import pairwise
 
 from mechproof.latex import ReadingError
-from mechproof.latex.latex_signs import find_close
+from mechproof.latex.latex_signs import find_close, measure_depths
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import list_letters, skip_power
 
@@ -24,25 +24,36 @@ def find_bracketed(prints: Iterable[str]) -> frozenset[str]:
 
 
 def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the functions that prints begin with and define, and their arguments.
+    """Yield the functions that equations begin with and define, and their arguments.
 
     Each argument is a letter; one at least stands behind the sign of equality, too.
     """
     bracketed = find_bracketed(prints)
-    for texts in _read_signs(prints):
+    for texts in _cut(_read_signs(prints)):
         letter, end = next(list_letters(texts), ("", 0))
         close = end + find_close(texts[end:])
         inside = texts[end + 1 : close]
         arguments = [x for x, _ in list_letters(inside)]
-        value = takewhile(lambda text: text != r"\quad", texts[close + 2 :])
         if (
             letter in bracketed
             and texts[: end + 1] == [*list_signs(letter), "("]
             and texts[close + 1 : close + 2] == ["="]
             and ",".join(arguments) == "".join(inside)
-            and not {x for x, _ in list_letters(list(value))}.isdisjoint(arguments)
+            and not {x for x, _ in list_letters(texts[close + 2 :])}.isdisjoint(arguments)
         ):
             yield letter, "".join(inside)
+
+
+def _cut(prints: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
+    """Yield what stands between commas and wide gaps outside brackets."""
+    for texts in prints:
+        ends = [
+            place
+            for place, (text, depth) in enumerate(zip(texts, measure_depths(texts), strict=True))
+            if not depth and text in (",", ";", r"\quad")
+        ]
+        for start, end in pairwise([-1, *ends, len(texts)]):
+            yield texts[start + 1 : end]
 
 
 def _read_signs(prints: Iterable[str]) -> Iterator[list[str]]:

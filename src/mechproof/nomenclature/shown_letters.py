@@ -78,7 +78,8 @@ _MATRIX = re.compile(
     r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|end|\\|[,;]))",
     re.DOTALL,
 )
-
+# What stands between equations in a line.
+_BEFORE = re.compile(r"\A(?:\s|,|;|\\q?quad|\\[,;: ])+")
 
 # A letter with an index, and what is raised above it if that may be another one: T_0^1.
 _FRAMED = re.compile(
@@ -310,7 +311,7 @@ def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
                 continue
             rows = [row for row in match["body"].split(r"\\") if row.strip()]
             columns = rows[0].count("&") + 1 if rows else 1
-            yield name_symbol(match["name"]), (len(rows), columns)
+            yield name_symbol(_BEFORE.sub("", match["name"])), (len(rows), columns)
 
 
 def drop_transposition(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
