@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from mechproof.latex.package_commands import write_out
 from mechproof.latex.tokens import list_signs
 
 # physics, derivative, commath, esdiff; mathtools; nicefrac, xfrac.
@@ -64,3 +65,19 @@ def test_a_call_in_no_known_form_is_left(latex: str) -> None:
 
 def test_a_quantity_of_siunitx_stays_one() -> None:
     assert list_signs(r"\qty{10}{mm}") == list_signs(r"\SI{10}{mm}")
+
+
+@pytest.mark.parametrize(
+    ("latex", "shown"),
+    [
+        (r"\dv[2]{x^2}{t}+\text{a b}\,y", r"\frac{d^{2}x^2}{dt^{2}}+\text{a b}\,y"),
+        (
+            r"\qty(\pdv{L}{q}) \left(a\right)",
+            r"\left(\frac{\partial L}{\partial q}\right) \left(a\right)",
+        ),
+        (r"\vb a\vdot\vb b", r"\mathbf{a}\cdot\mathbf{b}"),
+        (r"\qty{10}{mm}+x", r"\qty{10}{mm}+x"),
+    ],
+)
+def test_it_is_shown_as_what_it_prints(latex: str, shown: str) -> None:
+    assert write_out(latex) == shown

@@ -5,11 +5,12 @@ The packages are physics, derivative, diffcoeff, esdiff, commath, mathtools, nic
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 
-from mechproof.latex.latex_signs import CLOSING, OPENING, Token, split_signs
+from mechproof.latex.latex_signs import CLOSING, OPENING, Token, join, split_signs
 
 # What closes an argument, by what opens it.
 _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
@@ -17,6 +18,7 @@ _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
 _ANY = "."
 # An argument as it stands, and one in brackets, if there is any.
 _PLAIN, _IN_BRACKETS = "#", "@"
+_NUMBERED = re.compile(f"[{_PLAIN}{_IN_BRACKETS}](\\d)")
 # How the arguments of a call begin, and what it stands for; of several the first that a call has.
 _Forms = tuple[tuple[str, str], ...]
 
@@ -51,7 +53,7 @@ _COMMANDS: Mapping[str, _Forms] = {
     ),
     r"\dd": (("[{", "d^{#1}#2"), ("{", "d#1"), ("", "d")),
     **dict.fromkeys((r"\dif", r"\dl"), (("", "d"),)),
-    **dict.fromkeys((r"\abs*", r"\vqty"), _BARS),
+    **dict.fromkeys((r"\abs", r"\abs*", r"\vqty"), _BARS),
     **dict.fromkeys((r"\norm", r"\norm*"), _NORM),
     # With two arguments it is a number and its unit, of siunitx, and stays so.
     r"\qty": (
@@ -94,6 +96,20 @@ def expand_commands(signs: Sequence[Token]) -> list[Token]:
         expanded += (replace(t, start=start, end=stop) if t.end < 0 else t for t in written)
         place = end
     return expanded
+
+
+def write_out(latex: str) -> str:
+    """Return a print with what such commands print in their place, for who does not know them."""
+    signs = split_signs(latex)
+    for place, sign in enumerate(signs):
+        body, arguments, end = next(_find_calls(signs, place), ("", [], 0))
+        if body:
+            inside = [latex[x[0].start : x[-1].end] if x else "" for x in arguments]
+            parts = _NUMBERED.split(body)
+            parts[1::2] = [write_out(inside[int(number) - 1]) for number in parts[1::2]]
+            before, behind = latex[: sign.start], latex[signs[end - 1].end :]
+            return join([before, *parts, write_out(behind)])
+    return latex
 
 
 def _find_calls(

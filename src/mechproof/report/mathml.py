@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element, SubElement, tostring
 from latex2mathml.converter import convert_to_element
 from markupsafe import Markup
 
+from mechproof.latex.package_commands import write_out
 from mechproof.report.kept_formulas import FORMULAS
 
 Display = Literal["block", "inline"]
@@ -43,7 +44,7 @@ def write_formula(latex: str, display: Display = "inline") -> Markup:
 
 
 def _convert(latex: str, display: str) -> str:
-    upright = UPRIGHT.sub(r"\\text{\1\2}", MICROMETRE.sub(r"\\mathrm{µm}", latex))
+    upright = UPRIGHT.sub(r"\\text{\1\2}", MICROMETRE.sub(r"\\mathrm{µm}", write_out(latex)))
     plain = upright.replace(*TWO_ARGUMENTS).replace(*COLON)
     try:
         math = convert_to_element(plain, display=display)
