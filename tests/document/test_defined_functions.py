@@ -73,6 +73,8 @@ def test_a_function_of_several_letters_is_known_by_its_print() -> None:
         ("f(x)=2", "f(a+b)=ab"),
         # It is defined for one argument: this sum, with a cosine, is none.
         (r"r(\varphi)=a\varphi", r"r(1-\cos\varphi)=b"),
+        # What depends on time may be multiplied by lengths.
+        (r"k(t)=a+b\sin ct", r"k(x_1-x_2)=b"),
     ],
 )
 def test_what_may_be_a_product_is_not_read(prints: tuple[str, ...]) -> None:

@@ -233,15 +233,23 @@ def _read_name(parser: Parser, match: Match) -> Node:
 
 
 def _is_called(parser: Parser, letter: Letter) -> bool:
-    """Return whether a letter that depends, and always has a bracket, has its argument there."""
+    """Return whether a letter that depends, and always has a bracket, has its argument there.
+
+    What depends on time is multiplied by a sum in which there is none.
+    """
     if letter.text not in parser.notation.bracketed or letter.text in parser.factors:
         return False
-    if parser.text != "(" or not places.find_running(parser, letter):
-        return False
-    bracket, _ = _look_at_bracket(parser)
+    running = places.find_running(parser, letter) if parser.text == "(" else None
+    bracket, _ = _look_at_bracket(parser) if running else (None, "")
     inside = bracket.inside if isinstance(bracket, Bracket) else None
-    is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=False)
-    return inside is not None and not is_sum and not _is_of_others(parser, letter)
+    if running is None or inside is None:
+        return False
+    if isinstance(inside, Add):
+        met = {node.text for node in walk(inside) if isinstance(node, Letter)}
+        is_amount = running.text == "t" and running.text not in met
+        if is_amount or is_no_argument(inside, parser.notation, moves=False):
+            return False
+    return not _is_of_others(parser, letter)
 
 
 def _is_of_others(parser: Parser, letter: Letter) -> bool:

@@ -45,12 +45,12 @@ def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 
 def _cut(prints: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
-    """Yield what stands between commas and wide gaps outside brackets."""
+    """Yield what stands between commas outside brackets."""
     for texts in prints:
         ends = [
             place
             for place, (text, depth) in enumerate(zip(texts, measure_depths(texts), strict=True))
-            if not depth and text in (",", ";", r"\quad")
+            if not depth and text in (",", ";")
         ]
         for start, end in pairwise([-1, *ends, len(texts)]):
             yield texts[start + 1 : end]
