@@ -26,14 +26,11 @@ SINGULAR = (
 )
 
 # Accuracy. With the low word, x is known to eps**2 relative, and what is left are the roundings of
-# some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
-# position, 10 of ratio and 16 of acceleration, which are the bounds of the last two: long searches
-# come within a third of them, compiled. Of the position 5.5 are proved; compiled, inputs with more
-# than 4 are known, where the arctangent is small and yet most of the value. What the error of x
-# itself makes, eps**2*|x| times the slope, counts where the acceleration passes through zero and,
-# far away, where e is so near to 1 that the peak of the ratio is narrower than eps*|x|; the slopes
-# have the envelope of |sin x|, |cos x| <= 1.
-# What a forward analysis proves, and the worst that is met, stand in the certificates.
+# some 20 operations, tan and atan within an ulp; the bars below leave room for all of them in one
+# direction. What the error of x itself makes, eps**2*|x| times the slope, counts where the
+# acceleration passes through zero and, far away, where e is so near to 1 that the peak of the ratio
+# is narrower than eps*|x|; the slopes have the envelope of |sin x|, |cos x| <= 1. What is proved,
+# and the worst that is met, stand in the certificates.
 # Below 1e-290 the products with phi1 lose bits to the range of doubles.
 LEAST = sp.Rational(1, 10**300)
 LOW_WORD = (
