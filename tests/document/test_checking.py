@@ -437,6 +437,13 @@ def test_without_a_block_a_letter_that_may_be_a_sign_is_taken_or_named(
     assert outcome == "DEFINITION" or row.reason[0] in "de"
 
 
+def test_what_is_nested_too_deeply_ends_nothing() -> None:
+    deep = r"\sqrt{" * 1500 + "x" + "}" * 1500
+    deep_row, row = check("paper.tex", f"$${deep}=1$$ $$a+b=b+a$$").rows
+    assert (deep_row.outcome, row.outcome) == ("not read", "PROVED")
+    assert deep_row.reason == "it is nested too deeply to be read"
+
+
 def test_a_wrong_line_of_many_ends_nothing() -> None:
     found = outcomes(r"k=\frac{m}{", r"m=\begin{foo}", r"\lambda=\frac rl", r"u=\unknown{2}")
     assert found == ["not read", "not read", "DEFINITION", "not read"]

@@ -48,7 +48,7 @@ SAME = {
     r"\frac{d^{}x}{dt^{}}": r"\frac{dx}{dt}",
 }
 # What is no call in a known form stays as it is printed.
-LEFT = (r"\dv=1", r"\mqty a", r"\pdv", r"\nicefrac1", r"\eval(x|_0^1", r"\mqty(a&b")
+LEFT = (r"\dv=1", r"\mqty a", r"\pdv", r"\nicefrac1", r"\eval(x|_0^1", r"\mqty(a&b", r"\dv{}{}")
 
 
 @pytest.mark.parametrize(("short", "plain"), SAME.items())

@@ -29,6 +29,7 @@ from mechproof.document.special_cases import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
 from mechproof.latex import Reader, ReadingError
+from mechproof.latex.errors import TOO_DEEP
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
@@ -273,7 +274,7 @@ class Document:
             # Where no letters could be taken, that some are not declared is no reason.
             return self._refuse(printed, self._uncollected.get(printed.latex.string, error))
         except RecursionError:
-            return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
+            return self._leave(printed, State.NOT_READ, TOO_DEEP)
         except TimeoutError as error:
             return self._leave(printed, State.NOT_JUDGED, str(error))
         except _UNFIT as error:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+TOO_DEEP = "it is nested too deeply to be read"
+
 
 class ReadingError(ValueError):
     """A print that is ambiguous or not understood: the place in it, and what can be done.

@@ -124,6 +124,8 @@ def _find_calls(
             if not end:
                 break
             arguments.append(argument)
+            if not argument and f"{_PLAIN}{len(arguments)}" in body:
+                break
         else:
             yield body, arguments, end
 

@@ -13,7 +13,7 @@ from itertools import takewhile
 
 from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script
-from mechproof.latex.errors import PrintedText
+from mechproof.latex.errors import TOO_DEEP, PrintedText, ReadingError
 from mechproof.latex.latex_signs import GAPS, STAR, Token, same_sign, split_signs
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
 from mechproof.latex.package_commands import expand_commands
@@ -62,10 +62,13 @@ def list_signs(latex: str) -> list[str]:
 def read_signs(latex: str) -> tuple[tuple[Token, ...], tuple[tuple[int, int], ...]]:
     """Return the signs of a print with its gaps, and the places of what stood in braces that went.
 
-    `ReadingError` for braces that do not match.
+    `ReadingError` for braces that do not match, and what is nested too deeply.
     """
-    normaliser = _Normaliser(latex)
-    return tuple(normaliser.read_all()), tuple(normaliser.groups)
+    try:
+        normaliser = _Normaliser(latex)
+        return tuple(normaliser.read_all()), tuple(normaliser.groups)
+    except RecursionError:
+        raise ReadingError(latex, 0, TOO_DEEP) from None
 
 
 class _Normaliser:

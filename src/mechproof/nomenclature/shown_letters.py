@@ -12,7 +12,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.errors import Remedies
+from mechproof.latex.errors import TOO_DEEP, Remedies
 from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.name_table import INDEX, strip_braces
 from mechproof.latex.printed_functions import FUNCTIONS
@@ -266,7 +266,7 @@ def _collect_from(latex: str, guesses: _Guesses) -> list[str] | ReadingError:
             if not guesses.take(error):
                 return error
         except RecursionError:
-            return ReadingError(latex, 0, "it is nested too deeply to be read")
+            return ReadingError(latex, 0, TOO_DEEP)
 
 
 def find_arguments(latex: str, place: int) -> str:

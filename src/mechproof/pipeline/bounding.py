@@ -31,6 +31,7 @@ from mechproof.arithmetic.largest import bound_largest
 from mechproof.fpcore.fpcore_reading import read_cores
 from mechproof.fpcore.s_expressions import FPCoreError, read_file
 from mechproof.latex import ReadingError
+from mechproof.latex.errors import TOO_DEEP
 from mechproof.pipeline.pasted import PastedError, read_expression
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.programs.lowering import lower_steps
@@ -152,7 +153,7 @@ def read_pasted(pasted: Pasted) -> Bounding:
     except (ReadingError, ValueError, NotImplementedError) as error:
         raise PastedError(str(error)) from error
     except RecursionError as error:
-        raise PastedError("it is nested too deeply to be read") from error
+        raise PastedError(TOO_DEEP) from error
     steps = tuple(map(make_step, program.operations))
     straight = StraightLineProgram(tuple(ranges), steps, program.outputs)
     return Bounding(pasted.latex, round_constants(straight), ranges)

@@ -11,6 +11,7 @@ from sympy.core.relational import Relational
 
 from mechproof.arguments.scalars import check_text, check_texts
 from mechproof.latex import Reader, ReadingError
+from mechproof.latex.errors import TOO_DEEP
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import list_signs
 from mechproof.latex.tree import Integration, Letter, walk
@@ -92,7 +93,7 @@ def _answer(pasted: Pasted) -> Checked | str:
     except (ReadingError, ValueError) as error:
         return str(error).removeprefix(f"row {NUMBER!r}: ")
     except RecursionError:
-        return "it is nested too deeply to be read"
+        return TOO_DEEP
 
 
 def judge_equation(
