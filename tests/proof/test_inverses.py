@@ -34,6 +34,13 @@ TABLES = {
             r"0\le k<1, 0\le E<\pi",
         ),
         (
+            r"2\arctan\left(\sqrt{\frac{1+k}{1-k}}\tan\frac E2\right)"
+            r"=\operatorname{atan2}(\sqrt{1-k^2}\sin E,\cos E-k)",
+            r"2\arctan\left(\sqrt{\frac{1+k}{1-k}}\tan\frac E2\right)"
+            r"=\operatorname{atan2}(\sqrt{1-k^2}\sin E,\cos E+k)",
+            r"0<k<1, -\pi<E<\pi",
+        ),
+        (
             r"\operatorname{atan2}(1,x)=\frac\pi2-\arctan x",
             r"\operatorname{atan2}(1,x)=\arctan\frac1x",
             "",

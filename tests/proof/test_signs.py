@@ -20,6 +20,7 @@ UNIT = {x: sp.Interval(0, 1)}
 HALF_OPEN = {x: sp.Interval.Ropen(0, 1)}
 OPEN = {x: sp.Interval.open(0, 1)}
 RUNG = "sign in positive coordinates"
+PRODUCT_OF_ROOTS = sp.sqrt((1 + x) / (1 - x)) * sp.sqrt(1 - x**2)
 
 
 def later(kind, left, right):
@@ -47,6 +48,7 @@ TRUE = {
         OPEN,
         (),
     ),
+    "roots whose product has none": (PRODUCT_OF_ROOTS > 1, OPEN, ()),
     "tangent": (later(sp.Gt, 1 + sp.tan(x) ** 2, 0), {}, ()),
     "cosine within a quarter turn": (sp.cos(x) > 0, {x: sp.Interval(-1, 1)}, ()),
     "smaller radius": (R1 - R2 > 0, RADII, (R2 < R1,)),
@@ -91,6 +93,7 @@ WRONG = {
     "relation the wrong way": (R1 - 2 * R2 > 0, RADII, (R2 < R1,)),
     "relation with a closed end, strict": (y > 0, {z: sp.Interval(0, 1)}, (y >= 1 - z,)),
     "root, strict at its zero": (later(sp.Gt, sp.sqrt(x) + 1, 1), {x: sp.Interval(0, sp.oo)}, ()),
+    "roots whose product has none": (PRODUCT_OF_ROOTS > 1, {x: sp.Interval.open(-1, 1)}, ()),
     "count, strict at one": (later(sp.Gt, n * (n - 1), 0), {n: sp.S.Naturals}, ()),
     "indexed": (later(sp.Gt, q[i], 0), {}, ()),
     "unequal": (sp.Ne(x**2 - 1, 0, evaluate=False), {}, ()),

@@ -29,6 +29,7 @@ from mechproof.proof.coordinates import (
     write_by_cosines,
     write_by_half_angles,
 )
+from mechproof.proof.named_roots import name_roots
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts, find_roots, has_parts
 from mechproof.record.relations import Slack, find_slack
@@ -68,17 +69,13 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 
 def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Let square roots of what is positive be positive numbers of which no more is known."""
-    roots = {root.base for root in find_roots(expression)}
-    known = {base for base in roots if base.free_symbols and is_positive(base, domain)}
+    """Let square roots of what is positive be positive numbers."""
+    roots = sorted({root.base for root in find_roots(expression)}, key=sp.default_sort_key)
+    known = [base for base in roots if base.free_symbols and is_positive(base, domain)]
     if not known:
         return None
-    numbers = {base: sp.Dummy("root", positive=True) for base in known}
-    named = expression.replace(
-        lambda node: node.is_Pow and node.base in numbers and node.exp.is_Rational,
-        lambda node: numbers[node.base] ** (2 * node.exp),
-    )
-    sets = dict.fromkeys(numbers.values(), sp.Interval.open(0, sp.oo))
+    named, numbers = name_roots(expression, known, lambda factor: is_positive(factor, domain))
+    sets = dict.fromkeys(numbers, sp.Interval.open(0, sp.oo))
     return find_sign(named, replace(domain, within={**domain.within, **sets}))
 
 
