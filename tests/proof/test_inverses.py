@@ -41,6 +41,18 @@ TABLES = {
             r"0<k<1, -\pi<E<\pi",
         ),
         (
+            r"2\arctan\left(\sqrt{\frac{1+k}{1-k}}\tan\frac E2\right)"
+            r"=\arctan\frac{\sqrt{1-k^2}\sin E}{\cos E-k}",
+            r"2\arctan\left(\sqrt{\frac{1+k}{1-k}}\tan\frac E2\right)"
+            r"=\arctan\frac{(1-k)\sin E}{\cos E-k}",
+            r"0<k<1, -\pi<E<\pi, \cos E>k",
+        ),
+        (
+            r"\arctan\frac{\sin x}{\cos x}=x",
+            r"\arctan\frac{\sin x}{\cos x}=x-\pi",
+            r"\cos x>0, -\pi<x<\pi",
+        ),
+        (
             r"\operatorname{atan2}(1,x)=\frac\pi2-\arctan x",
             r"\operatorname{atan2}(1,x)=\arctan\frac1x",
             "",

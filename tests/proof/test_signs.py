@@ -20,6 +20,8 @@ UNIT = {x: sp.Interval(0, 1)}
 HALF_OPEN = {x: sp.Interval.Ropen(0, 1)}
 OPEN = {x: sp.Interval.open(0, 1)}
 RUNG = "sign in positive coordinates"
+# It is 1 - x*cos(y).
+TANGENT_OF_HALF = sp.cos(y) - x + sp.tan(y / 2) * sp.sin(y) * (1 + x)
 PRODUCT_OF_ROOTS = sp.sqrt((1 + x) / (1 - x)) * sp.sqrt(1 - x**2)
 
 
@@ -49,6 +51,8 @@ TRUE = {
         (),
     ),
     "roots whose product has none": (PRODUCT_OF_ROOTS > 1, OPEN, ()),
+    "tangent of half an angle": (TANGENT_OF_HALF > 0, OPEN, ()),
+    "relation of a cosine": ((sp.cos(y) - x) / (2 + sp.sin(y)) > 0, OPEN, (sp.cos(y) > x,)),
     "tangent": (later(sp.Gt, 1 + sp.tan(x) ** 2, 0), {}, ()),
     "cosine within a quarter turn": (sp.cos(x) > 0, {x: sp.Interval(-1, 1)}, ()),
     "smaller radius": (R1 - R2 > 0, RADII, (R2 < R1,)),
@@ -94,6 +98,8 @@ WRONG = {
     "relation with a closed end, strict": (y > 0, {z: sp.Interval(0, 1)}, (y >= 1 - z,)),
     "root, strict at its zero": (later(sp.Gt, sp.sqrt(x) + 1, 1), {x: sp.Interval(0, sp.oo)}, ()),
     "roots whose product has none": (PRODUCT_OF_ROOTS > 1, {x: sp.Interval.open(-1, 1)}, ()),
+    "tangent of half an angle": (TANGENT_OF_HALF > 1, OPEN, ()),
+    "relation of a cosine": (sp.cos(y) - 2 * x > 0, OPEN, (sp.cos(y) > x,)),
     "count, strict at one": (later(sp.Gt, n * (n - 1), 0), {n: sp.S.Naturals}, ()),
     "indexed": (later(sp.Gt, q[i], 0), {}, ()),
     "unequal": (sp.Ne(x**2 - 1, 0, evaluate=False), {}, ()),

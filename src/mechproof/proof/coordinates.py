@@ -117,13 +117,21 @@ def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
 
 
 def free_tangents(expression: sp.Expr) -> sp.Expr:
-    """Let the tangent of an angle that occurs in no other way be any real number."""
-    replacement = {
-        sp.tan(angle): sp.Dummy("t", real=True)
-        for angle in list_angles(expression)
-        if not expression.has(sp.sin(angle), sp.cos(angle))
-    }
+    """Let the tangent of an angle be any real number, where no sine or cosine of it occurs.
+
+    Those of twice the angle are written by that number.
+    """
+    replacement: dict[sp.Basic, sp.Expr] = {}
+    for angle in list_angles(expression):
+        if expression.has(sp.tan(angle)) and not expression.has(sp.sin(angle), sp.cos(angle)):
+            t = sp.Dummy("t", real=True)
+            replacement |= {sp.tan(angle): t, **_write_by_tangent(2 * angle, t)}
     return expression.xreplace(replacement)
+
+
+def _write_by_tangent(angle: sp.Expr, t: sp.Symbol) -> dict[sp.Basic, sp.Expr]:
+    """Write the sine and the cosine of an angle by the tangent of its half."""
+    return {sp.sin(angle): 2 * t / (1 + t**2), sp.cos(angle): (1 - t**2) / (1 + t**2)}
 
 
 def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
@@ -131,11 +139,7 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
     replacement: dict[sp.Basic, sp.Expr] = {}
     for angle in list_angles(expression):
         t = sp.Dummy("t", real=True)
-        replacement |= {
-            sp.sin(angle): 2 * t / (1 + t**2),
-            sp.cos(angle): (1 - t**2) / (1 + t**2),
-            sp.tan(angle): 2 * t / (1 - t**2),
-        }
+        replacement |= {sp.tan(angle): 2 * t / (1 - t**2), **_write_by_tangent(angle, t)}
     return expression.xreplace(replacement)
 
 

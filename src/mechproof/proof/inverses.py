@@ -119,7 +119,10 @@ def _is_inverse(difference: sp.Expr, domain: Domain) -> bool:
     return any(
         check(node, _write_arcs(sp.expand(node - difference / factor), domain), domain)
         for node, factor in list_terms(difference)
-        for kinds, check in ((tuple(_INVERSES), _has_value), ((sp.atan2,), _has_direction))
+        for kinds, check in (
+            (tuple(_INVERSES), _has_value),
+            ((sp.atan, sp.atan2), _has_direction),
+        )
         if isinstance(node, kinds)
     )
 
@@ -139,8 +142,13 @@ def _write_arcs(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _has_direction(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an angle is that of a plane vector: where it points, within a turn."""
-    y, x = node.args
+    """Tell whether an angle is that of a plane vector: where it points, within a turn.
+
+    The arctangent of a quotient over a positive number is one.
+    """
+    y, x = sp.fraction(node.args[0]) if isinstance(node, sp.atan) else node.args
+    if isinstance(node, sp.atan) and not (x.free_symbols and is_positive(x, domain)):
+        return False
     cosine, sine = sp.expand_trig(sp.cos(value)), sp.expand_trig(sp.sin(value))
     if decide_equal(y * cosine, x * sine, domain) is None:
         return False

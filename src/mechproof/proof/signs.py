@@ -123,7 +123,7 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
     said = [Slack(domain.resolve(value), strict) for value, strict in said]
     said = [slack for slack in said if slack.value.free_symbols <= expression.free_symbols]
     is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
-    if not (said and is_small and expression.is_rational_function(*expression.free_symbols)):
+    if not (said and is_small and _is_quotient(expression)):
         return None
     if whole := _find_said(expression, said):
         return whole
@@ -138,6 +138,13 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
         direction *= found.direction ** (int(power) % 2)
         strict &= found.strict
     return StrictSign(direction, strict) if is_met else None
+
+
+def _is_quotient(expression: sp.Expr) -> bool:
+    """Tell whether an expression is a quotient of polynomials of letters and functions."""
+    functions = find_parts(expression, sp.Function)
+    named = expression.xreplace({function: sp.Dummy() for function in functions})
+    return bool(named.is_rational_function())
 
 
 def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
