@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import accumulate, count, pairwise
 
 from mechproof.sources.announcements import NOTHING, Announced
+from mechproof.sources.equation_numbers import Counter
 from mechproof.sources.lines import begins_with_sign, cut_gaps, goes_on, join_lines, split_lines
 from mechproof.sources.located_text import Files, LocatedText, Place, join
 from mechproof.sources.macros import Defined, Macro, expand, find_macros
@@ -41,7 +42,6 @@ _EVENT = re.compile(
 )
 # Displays that are one equation with one number, however many lines they have.
 _SINGLE = ("", "equation", "displaymath", "multline")
-_LEVELS = ("chapter", "section", "subsection")
 # How many columns there are, or how each of them stands.
 _COLUMNS = re.compile(r"\A\s*\{(?:\d+|[A-Za-z'\"?,:;./*\s]+)\}")
 # What macros abbreviate that begins or ends a display.
@@ -49,10 +49,6 @@ _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _CITE = re.compile(r"\\cite\s*(?:\[[^\[\]]*\]\s*)*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
-_SHOWN = re.compile(
-    r"\\(?P<kind>arabic|Alph|alph|Roman|roman)\s*\{(?P<counter>\w+)\}|\\the(?P<the>[a-z]+)"
-)
-_ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 # A number that stands beside an equation without being a tag, as in Markdown.
 # Dots or a dash may lead to it.
 _BESIDE = re.compile(
@@ -99,92 +95,13 @@ class Printed:
         return files.locate(offsets[min(place or self.taken, len(offsets) - 1)])
 
 
-@dataclass
-class _Counter:
-    """The number of the next equation, as LaTeX counts."""
-
-    count: int = 0
-    letter: int = -1
-    below: int = 0
-    within: str = ""
-    shown: str = ""
-    first: str = ""
-    sections: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_LEVELS, 0))
-
-    def step(self) -> str:
-        """Return the next number."""
-        if self.letter >= 0:
-            self.letter += 1
-            return f"({self._show_count()}{chr(ord('a') + self.letter - 1)})"
-        self.count, self.below = self.count + 1, 0
-        return f"({self._show_count()})"
-
-    def step_below(self, *, is_new: bool) -> str:
-        """Return the next number with a letter, of the equation before it or of a new one."""
-        if is_new or not self.below:
-            self.count, self.below = self.count + 1, 0
-        self.below += 1
-        return f"({self._show_count()}{chr(ord('a') + self.below - 1)})"
-
-    def _show_count(self) -> str:
-        if self.shown:
-            return _SHOWN.sub(self._show, self.shown).replace("{", "").replace("}", "")
-        prefix = self._show_section(self.within) + "." if self.within in _LEVELS else ""
-        return f"{prefix}{self.count}"
-
-    def _show(self, match: re.Match[str]) -> str:
-        r"""Return what stands for a counter in what \theequation was defined to be."""
-        name = match["the"] or match["counter"]
-        if match["the"] and name in _LEVELS:
-            return self._show_section(name)
-        number = self.count if name == "equation" else self.sections.get(name, 0)
-        return _print_count(number, match["kind"] or "arabic")
-
-    def _show_section(self, level: str) -> str:
-        """Return the number of a section, that of what it lies in before it."""
-        levels = _LEVELS[: _LEVELS.index(level) + 1]
-        first = next((n for n, one in enumerate(levels) if self.sections[one]), len(levels) - 1)
-        numbers = [str(self.sections[one]) for one in levels[first:]]
-        if self.first and levels[first] == self.first:
-            numbers[0] = _print_count(self.sections[self.first], "Alph")
-        return ".".join(numbers)
-
-    def begin_appendix(self) -> None:
-        """Count the sections of the appendix by letters."""
-        self.first = "chapter" if self.sections["chapter"] else "section"
-        self.sections = dict.fromkeys(_LEVELS, 0)
-
-    def enter(self, level: str) -> None:
-        """Begin a section; numbers that are counted within it begin anew."""
-        self.sections[level] += 1
-        for lower in _LEVELS[_LEVELS.index(level) + 1 :]:
-            self.sections[lower] = 0
-        if self.within in _LEVELS[_LEVELS.index(level) :]:
-            self.count = 0
-
-    def group(self, edge: str) -> None:
-        """Enter equations that have one number and a letter each, or leave them."""
-        self.count += edge == "begin"
-        self.letter = 0 if edge == "begin" else -1
-
-
-def _print_count(number: int, kind: str) -> str:
-    """Return a number as LaTeX prints a counter."""
-    if kind in ("Alph", "alph"):
-        letter = chr(ord("a") + number - 1) if number else ""
-        return letter.upper() if kind == "Alph" else letter
-    if kind in ("Roman", "roman") and number < len(_ROMAN):
-        return _ROMAN[number].upper() if kind == "Roman" else _ROMAN[number]
-    return str(number)
-
-
 def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     """Yield the equations of a text in their order; those without number are named by theirs.
 
     Without `cut` equations beside each other in one display stay together.
     Raises `DocumentError` for macros in a circle that stand for environments.
     """
-    counter, unnumbered = _Counter(), count(1)
+    counter, unnumbered = Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
     group, last, announced = 0, 0, NOTHING
     before: Printed | None = None
@@ -254,7 +171,7 @@ def _read_display(
     text: LocatedText,
     match: re.Match[str],
     macros: Mapping[str, Macro],
-    counter: _Counter,
+    counter: Counter,
     unnumbered: Iterator[int],
     *,
     cut: bool,
@@ -310,7 +227,7 @@ def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
     yield from zip(starts, [*starts[1:], len(lines)], strict=True)
 
 
-def _name(line: LocatedText, is_numbered: bool, counter: _Counter) -> str:
+def _name(line: LocatedText, is_numbered: bool, counter: Counter) -> str:
     if tag := _TAG.search(line.string):
         named = tag[2].replace(r"\%", "%")
         return named if tag[1] else f"({named})"
