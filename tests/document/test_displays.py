@@ -68,7 +68,7 @@ DISPLAYS = {
     ),
     "a number beside an equation, without a tag": (
         r"$$a=1 \qquad (3.2)$$" + E % r"\boxed{b=2}\quad\ (7a)." + E % "c=3",
-        [("(3.2)", "a=1"), ("(7a)", r"\boxed{b=2}"), ("(1)", "c=3")],
+        [("(3.2)", "a=1"), ("(7a)", "b=2"), ("(1)", "c=3")],
     ),
     "dots that lead to a number, and a condition": (
         r"$$a=1\qquad-(3)$$ $$b=2\quad\cdots\cdots(4)$$ $$c=3\quad(d=0)$$ $$e=a-(3)$$",

@@ -102,6 +102,7 @@ def read_cases(parser: Parser, start: int) -> Cases:
     while not parser.text.startswith(r"\end{"):
         if otherwise is not None:
             raise parser.refuse("a case behind the value elsewhere")
+        parser.skip("&")
         value = None if parser.skip(*UNDEFINED) else parser.read_sum()
         _skip_marks(parser)
         if parser.skip(*ELSE):

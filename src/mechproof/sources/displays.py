@@ -16,6 +16,7 @@ from mechproof.sources.lines import begins_with_sign, cut_gaps, goes_on, join_li
 from mechproof.sources.located_text import Files, LocatedText, Place, join
 from mechproof.sources.macros import Defined, Macro, expand, find_macros
 from mechproof.sources.paper_files import DocumentError
+from mechproof.sources.plain_displays import BUILT_IN, FRAMES, write_frames, write_plainly
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
@@ -44,8 +45,9 @@ _EVENT = re.compile(
 _SINGLE = ("", "equation", "displaymath", "multline")
 # How many columns there are, or how each of them stands.
 _COLUMNS = re.compile(r"\A\s*\{(?:\d+|[A-Za-z'\"?,:;./*\s]+)\}")
-# What macros abbreviate that begins or ends a display.
+# What macros abbreviate that begins or ends a display, and what an environment of its own has.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
+_DISPLAYING = re.compile(rf"\\(?:begin|end)\{{(?:{_NAMES}|{'|'.join(FRAMES)})\}}|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _CITE = re.compile(r"\\cite\s*(?:\[[^\[\]]*\]\s*)*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
@@ -103,6 +105,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     """
     counter, unnumbered = Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
+    text = write_frames(text)
     group, last, announced = 0, 0, NOTHING
     before: Printed | None = None
     for match in _EVENT.finditer(text.string):
@@ -159,7 +162,11 @@ def _expand_frames(
     defined: Sequence[Defined], text: LocatedText
 ) -> tuple[list[Defined], LocatedText]:
     """Expand the macros that abbreviate the beginning or the end of a display."""
-    frames = {d.name: d.macro for d in defined if _FRAMING.search(d.macro.body)}
+    frames = {
+        d.name: d.macro
+        for d in defined
+        if (_DISPLAYING if "{" in d.name else _FRAMING).search(d.macro.body)
+    }
     cuts = [0, *(d.place for d in defined), len(text)]
     parts = [expand(text[a:b], frames) for a, b in pairwise(cuts)]
     places = accumulate(len(part) for part in parts[:-1])
@@ -183,7 +190,7 @@ def _read_display(
     if kind in ("alignat", "IEEEeqnarray"):
         body = body.replace(_COLUMNS, lambda _: "")
     try:
-        body = expand(body, macros)
+        body = write_plainly(expand(body, BUILT_IN | macros))
     except DocumentError as error:
         fault = str(error)
     is_numbered = part == "body" and not environment.endswith("*") and kind != "displaymath"
@@ -219,11 +226,12 @@ def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterat
 
 def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
     """Yield where the lines of an equation begin and end."""
-    starts = [
-        place
-        for place, line in enumerate(lines)
-        if place == 0 or not goes_on(lines[place - 1].string, line.string)
-    ]
+    # What names a line stands at no end of it.
+    plain = [_NAMING.sub(" ", line.string) for line in lines]
+    starts = [0] if lines else []
+    for place in range(1, len(lines)):
+        if not goes_on(" ".join(plain[starts[-1] : place]), plain[place]):
+            starts.append(place)
     yield from zip(starts, [*starts[1:], len(lines)], strict=True)
 
 

@@ -7,7 +7,7 @@ equations, and leaves a condition with its own.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.latex.latex_signs import SPACING, same_sign
 from mechproof.latex.printed_relations import RELATIONS
@@ -32,12 +32,15 @@ _STEP = re.compile(
     r"|\\[A-Za-z]+|\\.|.",
     re.DOTALL,
 )
-_OPENING = ("{", "(")
-_CLOSING = ("}", ")")
+_BRACKETS = {"{": "}", "(": ")"}
+# What lines and columns cannot part; brackets go on in the next line.
+_BRACES = {"{": "}"}
 _EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
 _RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
+# What begins no equation: a bracket that another line opened is closed behind \left.
+_CONTINUING = (*_RELATIONS, "+", r"\left.")
 # What an index runs through, and a name before an equation.
 _BEFORE_RANGE = (
     r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
@@ -86,7 +89,7 @@ def split_lines(body: LocatedText) -> list[LocatedText]:
     r"""Cut a display at its \\, but for those inside of matrices, cases and braces."""
     body = body.replace(_WRAPPING, lambda _: " ").replace(_INTERTEXT, lambda _: r"\\ ")
     lines, start = [], 0
-    for sign, place, depth in walk_signs(body.string):
+    for sign, place, depth in walk_signs(body.string, _BRACES):
         if sign == r"\\" and depth == 0:
             lines.append(body[start:place])
             spacing = _SPACING.match(body.string, place + 2)
@@ -114,25 +117,31 @@ def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
         yield from _open(rest, "")
 
 
-def walk_signs(string: str) -> Iterator[tuple[str, int, int]]:
+def walk_signs(
+    string: str, brackets: Mapping[str, str] = _BRACKETS
+) -> Iterator[tuple[str, int, int]]:
     """Yield the signs of a display as they are read, their places, and how deep they stand."""
     depth = 0
     for match in _STEP.finditer(string):
         sign = match[0]
-        if sign.startswith((r"\begin", r"\left")) or sign in _OPENING:
+        if sign.startswith((r"\begin", r"\left")) or sign in brackets:
             depth += 1
-        if sign.startswith((r"\end", r"\right")) or sign in _CLOSING:
+        if sign.startswith((r"\end", r"\right")) or sign in brackets.values():
             depth = max(depth - 1, 0)
         yield same_sign(sign), match.start(), depth
 
 
 def goes_on(before: str, line: str) -> bool:
-    """Return whether a line belongs to the one before it."""
-    signs = _list_signs(line)
-    if not signs or not _list_signs(before) or ends_open(before):
+    """Return whether a line belongs to what stands before it."""
+    signs, signs_before = _list_signs(line), _list_signs(before)
+    if not signs or not signs_before or ends_open(before):
         return True
-    has_relation = any(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
-    return signs[0] in _RELATIONS or not has_relation
+    # The ends of an interval may be of two kinds.
+    opened, closed = (sum(sign in kind for sign in signs_before) for kind in ("([", ")]"))
+    # Of a group that is coloured all is seen.
+    deepest = 1 if signs[0] == "{" else 0
+    has_relation = any(s in _RELATIONS and depth <= deepest for s, _, depth in walk_signs(line))
+    return opened > closed or signs[0] in _CONTINUING or not has_relation
 
 
 def begins_with_sign(line: str) -> bool:
@@ -176,7 +185,7 @@ def _drop_repeated(before: LocatedText, line: LocatedText) -> LocatedText:
 
 def _drop_alignment(line: LocatedText, has_columns: bool) -> Iterator[LocatedText]:
     start, signs = 0, 0
-    for sign, place, depth in walk_signs(line.string):
+    for sign, place, depth in walk_signs(line.string, _BRACES):
         if sign == "&" and depth == 0:
             signs += 1
             yield line[start:place]

@@ -13,13 +13,14 @@ from mechproof.sources.paper_files import DocumentError
 
 # Calls that are put in for one display: beyond, macros call each other in a circle.
 MOST_CALLS = 10_000
-_COMMAND = re.compile(r"\\[A-Za-z@]+")
+_COMMAND = re.compile(r"\\(?:begin|end)\{[A-Za-z@]+\*?\}|\\[A-Za-z@]+")
 _NAME = r"\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
 _DEFINING = re.compile(
     rf"\\(?:(?:(?:re)?new|provide)command\*?|DeclareRobustCommand\*?|DeclareSIUnit(?:\s*\[[^]]*\])?){_NAME}"
     rf"|\\(?:New|Renew|Provide|Declare)DocumentCommand{_NAME}"
     rf"|\\DeclarePairedDelimiter{_NAME}|\\DeclareMathOperator(\*?){_NAME}"
-    r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
+    r"|\\(?:re)?newenvironment\*?\s*\{([A-Za-z@]+\*?)\}"
+    r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)(\\[A-Za-z@]+)?|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
 )
 _COUNT = re.compile(r"\s*\[(\d)\]")
 # The arguments of \NewDocumentCommand, as far as \newcommand has the like.
@@ -57,21 +58,24 @@ def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
     for match in _DEFINING.finditer(string):
         if match.start() < last:
             continue
-        name, macro, end = _read_definition(string, match)
+        found, end = _read_definition(string, match)
         # What numbers look like is read where equations are counted.
-        if macro is not None and name != r"\theequation":
+        if found and r"\theequation" not in found:
             parts.append(text[last : match.start()])
-            macros.append(Defined(name, macro, sum(map(len, parts))))
+            place = sum(map(len, parts))
+            macros += [Defined(name, macro, place) for name, macro in found.items()]
             last = end
     return macros, join([*parts, text[last:]])
 
 
-def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | None, int]:
-    new, specified, paired, starred, operator, defined, parameters, let, other = match.groups()
+def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro], int]:
+    """Return the macros that are defined at a place, and where the definition ends."""
+    new, specified, paired, starred, operator, environment = match.groups()[:6]
+    defined, parameters, delimiter, let, other = match.groups()[6:]
     if let:
-        return let, Macro(other), match.end()
+        return {let: Macro(other)}, match.end()
     count, default, place = parameters.count("#") if parameters else 0, None, match.end()
-    if new and (found := _COUNT.match(string, place)):
+    if (new or environment) and (found := _COUNT.match(string, place)):
         count, place = int(found[1]), found.end()
         if found := _OPTION.match(string, place):
             default, place = found[1], found.end()
@@ -79,15 +83,27 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | No
         default, place = "" if found[1] else found[2], found.end()
         count = found[3].count("m") + (default is not None)
     argument = _read_argument(string, place)
-    name = new or specified or paired or operator or defined
+    name = new or specified or paired or operator or environment or defined
     if argument is None or string[place:].lstrip()[:1] != "{":
-        return name, None, match.end()
+        return {}, match.end()
     body, end = argument
     if operator:
         body = rf"\operatorname{starred}{{{body}}}"
-    if paired and (closing := _read_argument(string, end)):
-        return name, Macro(rf"\left{body}#2\right{closing[0]}", 2, "", has_star=True), closing[1]
-    return name, Macro(body, count, default), end
+    if delimiter:
+        # What it encloses stands between two commands: \def\be#1\ee{…#1…}.
+        before, _, behind = body.partition("#1")
+        is_pair = parameters == "#1" and behind and "#" not in before + behind
+        return {name: Macro(before), delimiter: Macro(behind)} if is_pair else {}, end
+    closing = _read_argument(string, end) if paired or environment else None
+    if environment:
+        begin, finish = rf"\begin{{{name}}}", rf"\end{{{name}}}"
+        if closing is None or begin in body:
+            return {}, end
+        return {begin: Macro(body, count, default), finish: Macro(closing[0])}, closing[1]
+    if closing:
+        macro = Macro(rf"\left{body}#2\right{closing[0]}", 2, "", has_star=True)
+        return {name: macro}, closing[1]
+    return {name: Macro(body, count, default)}, end
 
 
 def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:

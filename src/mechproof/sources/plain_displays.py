@@ -1,0 +1,183 @@
+r"""Displays of packages and of old TeX -> those of amsmath: empheq, numcases, \eqalign, \over.
+
+What stands in the place of a command or an environment stands where that did.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from mechproof.latex.sentences import find_brace
+from mechproof.sources.located_text import LocatedText, join
+from mechproof.sources.macros import Macro
+
+_GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
+# Environments around a display, or in its place.
+FRAMES = ("empheq", "numcases", "subnumcases", "subeqnarray", "xalignat", "xxalignat")
+_FRAME = re.compile(
+    rf"\\begin\{{empheq\}}\s*(?:\[(?P<options>(?:[^\[\]{{}}]|{_GROUP})*)\])?\s*"
+    r"\{(?P<kind>[a-z]+\*?)(?:=(?P<columns>\d+))?\}"
+    rf"|\\begin\{{(?P<sub>sub)?numcases\}}\s*(?P<before>{_GROUP})"
+    r"|\\begin\{(?P<other>subeqnarray|xx?alignat\*?)\}|\\end\{(?P<end>empheq|(?:sub)?numcases"
+    r"|subeqnarray|xx?alignat\*?)\}"
+)
+_OTHERS = {
+    "subeqnarray": (r"\begin{subequations}\begin{eqnarray}", r"\end{eqnarray}\end{subequations}")
+}
+_LEFT = re.compile(rf"(?:\A|,)\s*left\s*=\s*(?P<left>{_GROUP}|(?:\\.|[^,\\])*)")
+# A brace that only holds equations together.
+_BRACE = re.compile(r"\\empheq(?:big)?l?brace|\\[,;:!]|[{}\s]|\\displaystyle|\\left\\\{|\\right\.")
+_FUNCTION_BRACE = re.compile(r"\\empheq(?:big)?lbrace")
+_ROW_END = re.compile(r"\\\\")
+_UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+# Macros that packages and old TeX have, as far as equations are parted or numbered in them.
+BUILT_IN: Mapping[str, Macro] = {
+    r"\qq": Macro(r"\quad\text{#1}\quad ", 1, has_star=True),
+    r"\qc": Macro(r",\quad ", has_star=True),
+    **{
+        rf"\q{word}": Macro(rf"\quad\text{{{word}}}\quad ", has_star=True)
+        for word in ("and", "or", "if", "for", "where")
+    },
+    **dict.fromkeys((r"\boxed", r"\Aboxed"), Macro("#1", 1)),
+    r"\textcolor": Macro("#3", 3, ""),
+    r"\eqalign": Macro(r"\begin{aligned}#1\end{aligned}", 1),
+    **{
+        rf"\{kind}": Macro(rf"\begin{{{kind}}}#1\end{{{kind}}}", 1)
+        for kind in ("matrix", "pmatrix")
+    },
+    r"\cases": Macro(r"\begin{cases*}#1\end{cases*}", 1),
+    **dict.fromkeys((r"\qedhere", r"\qed", r"\xspace", r"\allowbreak"), Macro("")),
+}
+_LENGTH = r"-?(?:\d+\.?\d*|\.\d+)\s*(?:pt|e[mx]|[cm]m|mu|in|pc|bp)"
+# What prints like something else; a break of lines before it is kept.
+_ALIKE = tuple(
+    (re.compile(rf"(?P<kept>\\\\)|{pattern}"), written)
+    for pattern, written in (
+        (r"\\cr(?![A-Za-z])", r"\\\\ "),
+        # A number of old TeX.
+        (r"\\l?eqno(?![A-Za-z])\s*\{?\s*\(?(?P<tag>[\w.*'-]+)\)?\s*\}?", r"\\tag{\g<tag>}"),
+        (rf"\\(?:[mh]?kern|[mh]skip)\s*{_LENGTH}|\\[mhv]space\*?\s*\{{\s*-[^{{}}]*\}}", " "),
+        (r"\\(?:mspace|vspace\*?)\s*\{[^{}]*\}", " "),
+        (r"\\hspace\*?\s*\{[^{}]*\}|\\hfill?(?![A-Za-z])", r"\\quad "),
+        # A comma or a point in words.
+        (r"\\(?:text|textrm|mbox|hbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
+        # How siunitx is to print a number.
+        (
+            r"(?P<name>\\(?:SI|qty|num|si|unit|ang)(?![A-Za-z]))\s*\[[^\[\]]*=[^\[\]]*\](?=\s*\{)",
+            r"\g<name>",
+        ),
+    )
+)
+_WORDED = re.compile(r"\\begin\{d?cases\*\}.*?\\end\{d?cases\*\}", re.DOTALL)
+_CONDITION = re.compile(r"&((?:(?!\\\\|&|\\end\b).)*)", re.DOTALL)
+_OVER = re.compile(r"\\over(?![A-Za-z])\s?")
+_DELIMITER = re.compile(r"\\(?P<side>left|right)(?![A-Za-z])|\\.|[{}]", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """What begins and what ends a display instead, and whether its rows have numbers."""
+
+    head: str
+    tail: str
+    has_numbered_rows: bool = False
+
+
+def write_frames(text: LocatedText) -> LocatedText:
+    """Return a text with the environments of packages around displays as those of amsmath."""
+    parts, last, opened = [], 0, list[tuple[_Frame, int]]()
+    for match in _FRAME.finditer(text.string):
+        if not match["end"]:
+            opened.append((_write_frame(match), match.end()))
+            written = opened[-1][0].head
+        elif opened:
+            frame, start = opened.pop()
+            more = _count_rows(text.string[start : match.start()]) - 1
+            step = rf"\addtocounter{{equation}}{{{more}}}" if frame.has_numbered_rows else ""
+            written = frame.tail + step
+        else:
+            continue
+        parts += [text[last : match.start()], text.put(written, match.start())]
+        last = match.end()
+    return join([*parts, text[last:]])
+
+
+def _write_frame(match: re.Match[str]) -> _Frame:
+    if other := match["other"]:
+        return _Frame(*_OTHERS.get(other, (r"\begin{alignat}", r"\end{alignat}")))
+    if before := match["before"]:
+        return _hold_values(before[1:-1], "cases*", has_numbered_rows=not match["sub"])
+    kind = match["kind"]
+    found = _LEFT.search(match["options"] or "")
+    if found and _BRACE.sub("", found["left"]):
+        before = _FUNCTION_BRACE.sub("", found["left"])
+        return _hold_values(before, "cases", has_numbered_rows=kind in ("align", "gather"))
+    columns = f"{{{match['columns']}}}" if match["columns"] else ""
+    return _Frame(rf"\begin{{{kind}}}{columns}", rf"\end{{{kind}}}")
+
+
+def _hold_values(before: str, kind: str, *, has_numbered_rows: bool) -> _Frame:
+    """Return what a function is printed in whose values stand behind a brace."""
+    head = rf"\begin{{equation}}{before}\begin{{{kind}}}"
+    return _Frame(head, rf"\end{{{kind}}}\end{{equation}}", has_numbered_rows)
+
+
+def _count_rows(body: str) -> int:
+    rows = _ROW_END.split(body)
+    return sum(bool(row.strip()) and not _UNNUMBERED.search(row) for row in rows)
+
+
+def write_plainly(body: LocatedText) -> LocatedText:
+    """Return a display in the commands of amsmath."""
+    for pattern, written in _ALIKE:
+        body = body.replace(pattern, partial(_write, written))
+    return _write_fractions(join(list(_write_conditions(body))))
+
+
+def _write(written: str, match: re.Match[str]) -> str:
+    return match["kept"] or match.expand(written)
+
+
+def _write_conditions(body: LocatedText) -> Iterator[LocatedText]:
+    """Write the second column of cases, which is words with formulas, as formulas with words."""
+    last = 0
+    for match in _WORDED.finditer(body.string):
+        yield body[last : match.start()]
+        yield body[match.start() : match.end()].replace(_CONDITION, _write_condition)
+        last = match.end()
+    yield body[last:]
+
+
+def _write_condition(match: re.Match[str]) -> str:
+    pieces = match[1].split("$")
+    words = (rf"\text{{{piece}}}" if piece.strip(" ,.;~\n") else piece for piece in pieces[::2])
+    formulas = [*pieces[1::2], ""]
+    return "&" + " ".join(f"{w} {f}" for w, f in zip(words, formulas, strict=False))
+
+
+def _write_fractions(text: LocatedText) -> LocatedText:
+    r"""Write {a\over b} as {\frac{a}{b}}; without braces around it, it is left."""
+    for match in reversed(list(_OVER.finditer(text.string))):
+        start = _find_group(text.string[: match.start()])
+        end = None if start is None else find_brace(text.string, start)
+        if start is not None and end is not None:
+            above, below = text[start + 1 : match.start()], text[match.end() : end]
+            opening, closing = text.put(r"\frac{", start), text.put("}", end)
+            middle = text.put("}{", match.start())
+            written = [opening, above, middle, below, closing]
+            text = join([text[: start + 1], *written, text[end:]])
+    return text
+
+
+def _find_group(string: str) -> int | None:
+    r"""Return where the group begins that a text leaves open, unless \\left began it."""
+    opened: list[int | None] = []
+    for match in _DELIMITER.finditer(string):
+        if match["side"] == "left" or match[0] == "{":
+            opened.append(match.start() if match[0] == "{" else None)
+        elif opened and (match["side"] == "right" or match[0] == "}"):
+            opened.pop()
+    return opened[-1] if opened else None

@@ -1,0 +1,134 @@
+"""Displays of packages and of old TeX: how they are read, numbered and judged."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof import check
+from mechproof.sources.displays import find_displays
+from mechproof.sources.paper_files import read_source
+
+E = r"\begin{equation}%s\end{equation}"
+
+
+def show(content: str) -> list[tuple[str, str]]:
+    found = find_displays(read_source("paper.tex", content).text)
+    return [(p.name, " ".join(p.latex.string.split())) for p in found]
+
+
+CASES = r"\begin{cases*} x &\text{ if } x>0 \\ -x, &\text{ otherwise } \end{cases*}"
+DISPLAYS = {
+    "empheq": (
+        r"\begin{empheq}[box={\fbox[a]{}}]{align} a&=b\\c&=d\end{empheq}" + E % "e=f",
+        [("(1)", "a=b"), ("(2)", "c=d"), ("(3)", "e=f")],
+    ),
+    "a brace around equations": (
+        r"\begin{empheq}[left=\empheqlbrace\,,right={}]{alignat*=2} a&=b&c&=d\end{empheq}",
+        [("display 1", "a=b"), ("display 2", "c=d")],
+    ),
+    "a brace before values": (
+        r"\begin{empheq}[left={y=\empheqlbrace}]{align} &a,&x>0\\&b,&x<0\end{empheq}" + E % "e=f",
+        [("(1)", r"{y=}\begin{cases} &a,&x>0\\&b,&x<0\end{cases}"), ("(3)", "e=f")],
+    ),
+    "numcases": (
+        r"\begin{numcases}{y_{a}=} x & if $x>0$\\ -x, & otherwise \end{numcases}" + E % "e=f",
+        [("(1)", "y_{a}=" + CASES), ("(3)", "e=f")],
+    ),
+    "subnumcases": (
+        r"\begin{subnumcases}{\label{a}y=} a & $x>0$,\\ b & $x<0$.\end{subnumcases}" + E % "e=f",
+        [("(1)", r"y=\begin{cases*} a & x>0 , \\ b & x<0 . \end{cases*}"), ("(2)", "e=f")],
+    ),
+    "subeqnarray": (
+        r"\begin{subeqnarray}a&=&b\\c&=&d\end{subeqnarray}",
+        [("(1a)", "a=b"), ("(1b)", "c=d")],
+    ),
+    "old fractions": (
+        r"$$x={a\over b}+\sqrt{1\over{c+1}}\eqno(3)$$ $$\left(a\over b\right)=a\overline b$$",
+        [
+            ("(3)", r"x={\frac{a}{b}}+\sqrt{\frac{1}{{c+1}}}"),
+            ("display 1", r"\left(a\over b\right)=a\overline b"),
+        ],
+    ),
+    "old lines": (
+        r"$$\eqalign{a&=b\cr c&=\matrix{a\cr d\cr}\cr}\leqno(A.1)$$",
+        [("(A.1), part 1", "a=b"), ("(A.1), part 2", r"c=\begin{matrix}a\\ d\\ \end{matrix}")],
+    ),
+    "lengths and points in words": (
+        E % r"a=b\hspace{-1mm}c\kern 2pt d,\hspace{1em}x=y\hspace*{1cm}\mbox{ .}\hfill",
+        [("(1), part 1", "a=b c d"), ("(1), part 2", "x=y")],
+    ),
+    "a break of lines before a length": (
+        r"\begin{align}a&=b\\\hspace{1em}c&=d\end{align}",
+        [("(1)", "a=b"), ("(2)", "c=d")],
+    ),
+    "words of physics": (
+        E % r"a=b\qq{and}c=d\qc e=f\qand g=h",
+        [
+            ("(1), part 1", "a=b"),
+            ("(1), part 2", "c=d"),
+            ("(1), part 3", "e=f"),
+            ("(1), part 4", "g=h"),
+        ],
+    ),
+    "a box over an alignment": (
+        r"\begin{align}\Aboxed{a&=b}\\\boxed{c=d}\\\textcolor[rgb]{1,0,0}{e=f}\\{\color{red}g=h}\qedhere"
+        r"\end{align}",
+        [("(1)", "a=b"), ("(2)", "c=d"), ("(3)", "e=f"), ("(4)", r"{\color{red}g=h}")],
+    ),
+    "settings of siunitx": (
+        E % r"a=\SI[per-mode=symbol]{3}{m}+\qty[b]{c}",
+        [("(1)", r"a=\SI{3}{m}+\qty[b]{c}")],
+    ),
+    "environments of one's own": (
+        r"\newenvironment{eqs}[1]{\begin{align}\label{#1}}{\end{align}}"
+        r"\newenvironment{note}{\begin{quote}}{\end{quote}}"
+        r"\begin{note}\begin{eqs}{k}a&=b\\c&=d\end{eqs}\end{note}",
+        [("(1)", "a=b"), ("(2)", "c=d")],
+    ),
+    "a pair of commands": (
+        r"\def\be#1\ee{\begin{equation}#1\end{equation}}\be a=b\ee \def\f#1\g{#1#1}\[\f a\g\]",
+        [("(1)", "a=b"), ("display 1", r"\f a\g")],
+    ),
+    "brackets that go on": (
+        r"\begin{align}a&=b\Bigl(c\nonumber\\&\quad+d=e\Bigr)\\f&=g\left(h\right.\\&\left.+k\right)=l"
+        r"\\+m&=n\\x&=(0,1]\\y&=z\end{align}",
+        [
+            ("(1)", r"a=b\Bigl(c +d=e\Bigr)"),
+            ("(2)", r"f=g\left(h\right. \left.+k\right)=l +m=n"),
+            ("(5)", "x=(0,1]"),
+            ("(6)", "y=z"),
+        ],
+    ),
+    "names at the ends of lines": (
+        r"\begin{IEEEeqnarray}{rCl}a&=&b\IEEEyesnumber\IEEEyessubnumber*\\c&=&\nonumber\\&&d\\"
+        r"\end{IEEEeqnarray}",
+        [("(1a)", "a=b"), ("(2)", "c= d")],
+    ),
+}
+
+
+@pytest.mark.parametrize(("content", "expected"), DISPLAYS.values(), ids=DISPLAYS)
+def test_displays_are_those_of_amsmath(content: str, expected: list[tuple[str, str]]) -> None:
+    assert show(content) == expected
+
+
+PAPER = r"""
+%% mechproof
+%% x ; y : numbers
+%% end
+"""
+JUDGED = {
+    r"\begin{numcases}{|x|=} x & if $x\ge0$\\ %sx & otherwise\end{numcases}": ("-", "2"),
+    r"$$|x|=\cases{x,&if $x\ge0$\cr %sx,&if $x<0$\cr}$$": ("-", "2"),
+    r"$$\eqalign{x^2-y^2&=(x+y)\cr&\quad\times(x%sy)\cr}$$": ("-", "+"),
+    r"$$\tan x={\sin x\over\cos %s}$$": ("x", "(x+1)"),
+    r"\begin{empheq}{equation}\sin2x=%s\sin x\cos x\end{empheq}": ("2", "3"),
+    r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
+}
+
+
+@pytest.mark.parametrize(("latex", "ways"), JUDGED.items())
+def test_what_is_true_is_proved_and_a_misprint_is_not(latex: str, ways: tuple[str, str]) -> None:
+    true, wrong = (check("paper.tex", PAPER + latex % way).rows for way in ways)
+    assert [str(row.outcome) for row in true] == ["PROVED"]
+    assert "PROVED" not in [str(row.outcome) for row in wrong]
