@@ -99,6 +99,11 @@ DISPLAYS = {
             ("(6)", "y=z"),
         ],
     ),
+    "for all values of a letter": (
+        r"\begin{align}a&=b\quad\forall a\\c&=d,\text{ for all }c_{1}\\e&=f\ \forall n\\"
+        r"g&=h\;\forall g>0\end{align}",
+        [("(1)", "a=b"), ("(2)", "c=d"), ("(3)", r"e=f\ \forall n"), ("(4)", r"g=h\;\forall g>0")],
+    ),
     "names at the ends of lines": (
         r"\begin{IEEEeqnarray}{rCl}a&=&b\IEEEyesnumber\IEEEyessubnumber*\\c&=&\nonumber\\&&d\\"
         r"\end{IEEEeqnarray}",
@@ -114,7 +119,7 @@ def test_displays_are_those_of_amsmath(content: str, expected: list[tuple[str, s
 
 PAPER = r"""
 %% mechproof
-%% x ; y : numbers
+%% x ; y ; x_1 : numbers
 %% end
 """
 JUDGED = {
@@ -123,8 +128,28 @@ JUDGED = {
     r"$$\eqalign{x^2-y^2&=(x+y)\cr&\quad\times(x%sy)\cr}$$": ("-", "+"),
     r"$$\tan x={\sin x\over\cos %s}$$": ("x", "(x+1)"),
     r"\begin{empheq}{equation}\sin2x=%s\sin x\cos x\end{empheq}": ("2", "3"),
+    r"\begin{equation}\sin{x}_{1}=2\sin\frac{{x}_1}2%s\frac{x_1}2\end{equation}": (
+        r"\cos",
+        r"\sin",
+    ),
     r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
 }
+
+
+UNREAD = {
+    r"\sin[2](x)=y": "a number in square brackets behind a function",
+    r"y=\num{2.0(1)}": "a bracket behind the digits of a number",
+    r"y=\SI{3(2)}{m}": "a bracket behind the digits of a number",
+    r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
+    r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
+}
+
+
+@pytest.mark.parametrize(("latex", "reason"), UNREAD.items())
+def test_what_may_be_meant_in_two_ways_is_not_read(latex: str, reason: str) -> None:
+    (row,) = check("paper.tex", PAPER + E % latex).rows
+    assert str(row.outcome) == "not read"
+    assert reason in row.reason
 
 
 @pytest.mark.parametrize(("latex", "ways"), JUDGED.items())

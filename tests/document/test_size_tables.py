@@ -272,6 +272,8 @@ def test_commas_are_decimal_or_part_thousands() -> None:
 
 UNITS = {
     r"\milli\metre\per\second": "mm/s",
+    r"\kilo\gram\per\cubic\milli\metre": "kg/mm^3",
+    r"\square m\per\kN": "m^2/kN",
     r"\metre\per\second\squared": "m/s^2",
     r"$\mathrm{mm}$": "mm",
     r"$^\circ$": "°",

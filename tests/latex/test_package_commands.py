@@ -15,7 +15,13 @@ SAME = {
     r"\dv{t}x": r"\frac{d}{dt}x",
     r"\dv t(x)": r"\frac{d}{dt}(x)",
     r"\dv[2]{x}{t}": r"\frac{d^2(x)}{dt^2}",
-    r"\odv[n]{t}x": r"\frac{d^n}{dt^n}x",
+    r"\dv*[n]{t}x": r"\frac{d^n}{dt^n}x",
+    r"\odv{x}t+\diff xt+\od*{}{t}x": r"\frac{d(x)}{dt}+\frac{d(x)}{dt}+\frac{d}{dt}x",
+    r"\odv[order=2]{x}{t}": r"\frac{d^2(x)}{dt^2}",
+    r"\odv*[n]{x}{t}": r"\frac{d^n(x)}{dt^n}",
+    r"\pdv{f}{x,y}": r"\frac{\partial^2(f)}{\partial x\partial y}",
+    r"\diffp[2,1]{f}{x,y_{1,2}}": r"\frac{\partial^3(f)}{\partial x^2\partial y_{1,2}}",
+    r"\pdv[order={n,m}]{f}{x,y}": r"\frac{\partial^{n+m}(f)}{\partial x^n\partial y^m}",
     r"\dv{}{t}x": r"\frac{d}{dt}x",
     r"\pdv{L}{\dot q}": r"\frac{\partial(L)}{\partial\dot q}",
     r"\pdv{f}{x}{y}": r"\frac{\partial^2(f)}{\partial x\partial y}",
@@ -23,6 +29,10 @@ SAME = {
     r"\dv{\norm{v}}{t}": r"\frac{d(\|v\|)}{dt}",
     r"\int x\dd{x}": r"\int xdx",
     r"\int x\dd x": r"\int xdx",
+    r"\int x\mathop{}\!\odif{x}": r"\int xdx",
+    r"\mdet{a&b\\c&d}": r"\begin{vmatrix}a&b\\c&d\end{vmatrix}",
+    r"\begin{pNiceArray}{c|c}a&b\end{pNiceArray}": r"\begin{pmatrix}a&b\end{pmatrix}",
+    r"\begin{bNiceMatrix}[r]a\end{bNiceMatrix}": r"\begin{bmatrix}a\end{bmatrix}",
     r"\int x\dd[3]{x}": r"\int xd^3x",
     r"\int x\dif x": r"\int xdx",
     r"\abs*{a+b}": r"\left|a+b\right|",
@@ -48,7 +58,18 @@ SAME = {
     r"\frac{d^{}x}{dt^{}}": r"\frac{dx}{dt}",
 }
 # What is no call in a known form stays as it is printed.
-LEFT = (r"\dv=1", r"\mqty a", r"\pdv", r"\nicefrac1", r"\eval(x|_0^1", r"\mqty(a&b", r"\dv{}{}")
+LEFT = (
+    r"\diffp[2]{f}{x,y}",
+    r"\odv[style=a]{x}{t}",
+    r"\odv{x}",
+    r"\dv=1",
+    r"\mqty a",
+    r"\pdv",
+    r"\nicefrac1",
+    r"\eval(x|_0^1",
+    r"\mqty(a&b",
+    r"\dv{}{}",
+)
 
 
 @pytest.mark.parametrize(("short", "plain"), SAME.items())

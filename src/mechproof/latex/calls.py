@@ -124,10 +124,17 @@ def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
 
 def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     r"""Read what a bracket holds, with the angle behind a count in it: \cos(n-1)\theta."""
+    start, is_square = parser.start, parser.text == "["
     bracket = atoms.read_atom(parser)
     if isinstance(bracket, tree.Entries):
         return bracket.parts
     inside = tree.strip(bracket)
+    if is_square and isinstance(inside, tree.Number) and parser.text in _BRACKETS:
+        raise parser.refuse(
+            "a number in square brackets behind a function: its power, or its argument?",
+            r"Print \sin^2(x) for the power, \cdot before the next bracket for the argument.",
+            start,
+        )
     if not isinstance(inside, tree.Add):
         return (bracket,)
     is_phase = _goes_on(parser, bracket, parser.place)

@@ -66,6 +66,10 @@ def _read_entry(parser: Parser) -> Node:
             "dots for entries of a matrix: how many they are is not said",
             "Print all entries, for a certain number of them.",
         )
+    if parser.text in ("&", r"\\") or parser.text.startswith(r"\end{"):
+        raise parser.refuse(
+            "an entry of a matrix that is empty: a zero, or left out?", "Print 0 where it is zero."
+        )
     if not _is_list(parser):
         return parser.read_sum()
     start, found = parser.start, []

@@ -9,8 +9,16 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
-from mechproof.latex.latex_signs import CLOSING, OPENING, Token, join, split_signs
+from mechproof.latex.latex_signs import (
+    CLOSING,
+    OPENING,
+    Token,
+    join,
+    measure_depths,
+    split_signs,
+)
 
 # What closes an argument, by what opens it.
 _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
@@ -24,13 +32,18 @@ _Forms = tuple[tuple[str, str], ...]
 
 
 def _derive(sign: str) -> _Forms:
-    """Return the forms of a derivative: with and without an order and what is derived."""
+    """Return the forms of a derivative of physics, where what is derived may stand behind it."""
     return (
         ("[{{", rf"\frac{{{sign}^{{#1}}@2}}{{{sign}#3^{{#1}}}}"),
         ("[.", rf"\frac{{{sign}^{{#1}}}}{{{sign}#2^{{#1}}}}"),
         ("{{", rf"\frac{{{sign}@1}}{{{sign}#2}}"),
         (".", rf"\frac{{{sign}}}{{{sign}#1}}"),
     )
+
+
+def _name(*names: str) -> Iterator[str]:
+    """Yield commands with and without the star by which they print another shape of a fraction."""
+    yield from (rf"\{name}{star}" for name in names for star in ("", "*"))
 
 
 def _enclose(opening: str, closing: str) -> _Forms:
@@ -47,11 +60,9 @@ _BARS, _NORM = _enclose(r"\left|", r"\right|"), _enclose(r"\left\|", r"\right\|"
 _FRACTION: _Forms = (("..", r"\frac{#1}{#2}"),)
 _ITSELF: _Forms = ((".", "#1"),)
 _COMMANDS: Mapping[str, _Forms] = {
-    **dict.fromkeys((r"\dv", r"\odv", r"\od", r"\dod", r"\tod", r"\diff"), _derive("d")),
-    **dict.fromkeys(
-        (r"\pdv", r"\pd", r"\dpd", r"\tpd", r"\diffp"), (_MIXED, *_derive(r"\partial"))
-    ),
-    r"\dd": (("[{", "d^{#1}#2"), ("{", "d#1"), ("", "d")),
+    **dict.fromkeys(_name("dv"), _derive("d")),
+    **dict.fromkeys(_name("pdv"), (_MIXED, *_derive(r"\partial"))),
+    **dict.fromkeys((r"\dd", r"\odif"), (("[{", "d^{#1}#2"), ("{", "d#1"), ("", "d"))),
     **dict.fromkeys((r"\dif", r"\dl"), (("", "d"),)),
     **dict.fromkeys((r"\abs", r"\abs*", r"\vqty"), _BARS),
     **dict.fromkeys((r"\norm", r"\norm*"), _NORM),
@@ -68,6 +79,7 @@ _COMMANDS: Mapping[str, _Forms] = {
         for opening, kind in {"{": "matrix", "(": "pmatrix", "[": "bmatrix", "|": "vmatrix"}.items()
     ),
     **{rf"\{kind[0]}mqty": _set_out(kind) for kind in ("pmatrix", "bmatrix", "vmatrix")},
+    r"\mdet": _set_out("vmatrix"),
     **dict.fromkeys((r"\vb", r"\vb*"), ((".", r"\mathbf{#1}"),)),
     **dict.fromkeys((r"\va", r"\va*"), ((".", r"\vec{#1}"),)),
     **dict.fromkeys((r"\vu", r"\vu*"), ((".", r"\hat{\mathbf{#1}}"),)),
@@ -76,7 +88,12 @@ _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys((r"\nicefrac", r"\sfrac", r"\flatfrac"), _FRACTION),
     r"\prescript": (("...", "{}^{#1}_{#2}#3"),),
     **dict.fromkeys((r"\ensuremath", r"\substack", r"\smash", r"\mathclap"), _ITSELF),
-    **dict.fromkeys((r"\mathrel", r"\mathbin", r"\mathord"), _ITSELF),
+    **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},
+}
+# Derivatives of derivative, diffcoeff, esdiff and commath: what is derived, then by which letters.
+_DERIVATIVES = {
+    **dict.fromkeys(_name("odv", "od", "dod", "tod", "diff"), "d"),
+    **dict.fromkeys(_name("pdv", "pd", "dpd", "tpd", "diffp"), r"\partial"),
 }
 
 
@@ -116,6 +133,7 @@ def _find_calls(
     signs: Sequence[Token], place: int
 ) -> Iterator[tuple[str, list[Sequence[Token]], int]]:
     """Yield the bodies that a call may stand for, its arguments, and where it ends."""
+    yield from _find_derivatives(signs, place)
     for form, body in _COMMANDS.get(signs[place].text, ()):
         arguments: list[Sequence[Token]] = []
         end = place + 1
@@ -128,6 +146,37 @@ def _find_calls(
                 break
         else:
             yield body, arguments, end
+
+
+def _find_derivatives(
+    signs: Sequence[Token], place: int
+) -> Iterator[tuple[str, list[Sequence[Token]], int]]:
+    r"""Yield \odv[order=2]{x}{t} and \pdv[2,1]{f}{x,y} as fractions."""
+    name = signs[place].text
+    option, start = _read_argument(signs, place + 1, "[")
+    of, end = _read_argument(signs, start or place + 1, _ANY)
+    by, end = _read_argument(signs, end, _ANY) if end else ((), 0)
+    letters = _part(by)
+    if name not in _DERIVATIVES or not end or (name in _COMMANDS and len(letters) == 1):
+        return
+    sign, said = _DERIVATIVES[name], "".join(token.text for token in option)
+    orders = said.removeprefix("order=").strip("{}").split(",") if said else ["1"] * len(letters)
+    if len(orders) != len(letters) or "=" in "".join(orders):
+        return
+    total = str(sum(map(int, orders))) if all(map(str.isdigit, orders)) else "+".join(orders)
+    below = "".join(f"{sign}#{n}{_raise(order)}" for n, order in enumerate(orders, 2))
+    yield rf"\frac{{{sign}{_raise(total)}@1}}{{{below}}}", [of, *letters], end
+
+
+def _raise(order: str) -> str:
+    return "" if order == "1" else f"^{{{order}}}"
+
+
+def _part(signs: Sequence[Token]) -> list[Sequence[Token]]:
+    """Return what stands between the commas of an argument."""
+    depths = measure_depths(sign.text for sign in signs)
+    commas = [n for n, depth in enumerate(depths) if not depth and signs[n].text == ","]
+    return [signs[a + 1 : b] for a, b in pairwise([-1, *commas, len(signs)])]
 
 
 def _read_argument(signs: Sequence[Token], place: int, opening: str) -> tuple[Sequence[Token], int]:

@@ -7,11 +7,12 @@ is kept what they enclosed), scripts come in the order index, primes and stars, 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
-from mechproof.latex import left_scripts
+from mechproof.latex import left_scripts, printed_commands
 from mechproof.latex.characters import read_script
 from mechproof.latex.errors import TOO_DEEP, PrintedText, ReadingError
 from mechproof.latex.latex_signs import GAPS, STAR, Token, same_sign, split_signs
@@ -26,24 +27,6 @@ _ARGUMENTS = {r"\frac": 2, r"\binom": 2, **dict.fromkeys((r"\sqrt", r"\pmod", r"
 _COMMANDS = (*_ARGUMENTS, r"\int", r"\sum", r"\prod")
 # What belongs to a letter before its power; nobody raises to a sign of multiplication.
 _SUFFIXES = {r"\prime": "'", **dict.fromkeys((r"\cdot", r"\ast", r"\star"), STAR)}
-# Numbers with units, and units, of siunitx.
-QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
-# What marks its argument, but says nothing of it.
-_MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
-# What marks its argument with a brace, and names it behind that sign.
-_BRACES = {r"\underbrace": "_", r"\overbrace": "^"}
-# What writes something above or below a sign; a question is none.
-_STACKS = (r"\overset", r"\underset", r"\stackrel")
-_QUESTION = "?"
-# What takes the place of its argument and shows nothing.
-_UNSEEN = (r"\phantom", r"\hphantom", r"\vphantom")
-_COLOURS = (r"\color", r"\textcolor")
-# Matrices and cases of packages; those with a star may say how their columns stand.
-_ENVIRONMENTS = {
-    f"{kind}{name}": f"{kind}matrix"
-    for kind in ("", "p", "b", "B", "v")
-    for name in ("matrix*", "smallmatrix", "smallmatrix*", "NiceMatrix")
-} | {"array": "matrix", "cases*": "cases", "dcases*": "dcases"}
 _DEGREE = ("°", r"\degree")
 
 
@@ -159,36 +142,36 @@ class _Normaliser:
             self._close("}")
             if [t.text for t in inner] == [","]:
                 return [Token(".", first.start, first.end)]
-            if inner:
+            if inner and not self._is_letter_before_index(inner):
                 self.groups.append((min(t.start for t in inner), max(t.end for t in inner)))
             return inner
         if first.text in ("_", "^"):
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
         if first.text == r"\num":
             return self._read_number()
-        if first.text in _MARKS:
+        if first.text in printed_commands.MARKS:
             *inner, last = self._read_argument()[1:]
             if first.text == r"\boxed" or not {"+", "-"} & {t.text for t in inner}:
                 self.groups[-1:] = []
             inner[-1:] = [replace(t, end=last.end) for t in inner[-1:]]
             return inner
-        if first.text in _BRACES:
+        if first.text in printed_commands.BRACES:
             inner = self._read_argument()[1:-1]
-            while self._peek() == _BRACES[first.text]:
+            while self._peek() == printed_commands.BRACES[first.text]:
                 self._take()
                 self._read_argument()
             return inner
-        if first.text in _UNSEEN:
+        if first.text in printed_commands.UNSEEN:
             self._read_argument()
             return []
-        if first.text in _STACKS and (relation := self._read_stack()):
+        if first.text in printed_commands.STACKS and (relation := self._read_stack()):
             return [relation]
-        if first.text in _COLOURS:
+        if first.text in printed_commands.COLOURS:
             self._read_argument()
             return self._read_argument()[1:-1] if first.text == r"\textcolor" else []
         if first.text == r"\ang":
             return self._read_angle()
-        if first.text in QUANTITIES:
+        if first.text in printed_commands.QUANTITIES:
             return self._read_quantity(first)
         if first.text in UPRIGHT:
             return [self._read_upright(first)]
@@ -201,11 +184,16 @@ class _Normaliser:
         text = same_sign(first.text)
         return self._read_arguments(Token(text, first.start, first.end))
 
+    def _is_letter_before_index(self, signs: Sequence[Token]) -> bool:
+        r"""Return whether braces hold one letter of which an index follows: {q}_1, {\dot q}_1."""
+        is_one = len(signs) == 1 or (signs[0].text in ACCENTS and len(signs) == len(r"a{q}"))
+        return is_one and self._peek() == "_"
+
     def _read_stack(self) -> Token | None:
         """Read a relation with something above or below it; nothing else is read."""
         place = self.place
         above, below = self._read_argument()[1:-1], self._read_argument()[1:-1]
-        is_asked = any(_QUESTION in sign.text for sign in above)
+        is_asked = any(printed_commands.QUESTION in sign.text for sign in above)
         if len(below) == 1 and below[0].text in RELATIONS and not is_asked:
             return below[0]
         self.place = place
@@ -213,7 +201,7 @@ class _Normaliser:
 
     def _read_quantity(self, first: Token) -> list[Token]:
         r"""Read \SI{66}{mm} as a number with a unit in upright letters behind it."""
-        number = self._read_number() if first.text in QUANTITIES[:2] else []
+        number = self._read_number() if first.text in printed_commands.QUANTITIES[:2] else []
         start = self.raw[self.place].start if number and self.place < len(self.raw) else first.start
         words, end = self._read_words()
         return [*number, Token(rf"\mathrm{{{words}}}", start, end)]
@@ -223,6 +211,13 @@ class _Normaliser:
         count = len(self.groups)
         inner = self._read_argument()[1:-1]
         del self.groups[count:]
+        brackets = (b for a, b in pairwise(inner) if a.text.isdigit() and b.text == "(")
+        for bracket in brackets:
+            raise self.source.refuse(
+                bracket.start,
+                "a bracket behind the digits of a number: how uncertain it is, or a factor?",
+                r"Print the number alone, or a product outside of \num and \SI.",
+            )
         inner = inner[1:] if inner[:1] and inner[0].text == "+" else inner
         return [replace(sign, text=".") if sign.text == "," else sign for sign in inner]
 
@@ -237,13 +232,16 @@ class _Normaliser:
         """Read a beginning or an end; an array is a matrix, whatever its columns are."""
         inside, end = self._read_group()
         name = "".join(sign.text for sign in inside)
-        if first.text == r"\begin" and name.endswith("*") and self._peek() == "[":
+        has_options = name.endswith("*") or "Nice" in name
+        if first.text == r"\begin" and has_options and self._peek() == "[":
             self._take()
             self._read_until("]")
             end = self._close("]").end
-        if first.text == r"\begin" and name == "array":
+        if first.text == r"\begin" and name in printed_commands.WITH_COLUMNS:
             _, end = self._read_group()
-        return Token(f"{first.text}{{{_ENVIRONMENTS.get(name, name)}}}", first.start, end)
+        return Token(
+            f"{first.text}{{{printed_commands.ENVIRONMENTS.get(name, name)}}}", first.start, end
+        )
 
     def _read_arguments(self, command: Token) -> list[Token]:
         signs = [command]

@@ -119,13 +119,20 @@ _SPELLED: Mapping[str, str] = {
     **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
     **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
     **{"cubed": "^3", "kilogram": "kg", "mm": "mm", "cm": "cm", "kg": "kg", "rad": "rad"},
-    **{"min": "min", "textmu": "µ"},
+    **{"min": "min", "textmu": "µ", "um": "µm", "us": "µs"},
+    **{name: name for name in ("m", "km", "g", "s", "ms", "N", "kN", "MN", "Pa", "kPa", "MPa")},
+    **{name: name for name in ("GPa", "J", "kJ", "W", "kW", "MW", "Hz", "kHz", "V", "A", "K")},
 }
 _JOINED = (
     *("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga"),
     *("per", "mu", "textmu"),
 )
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
+# Powers before a unit, \square\milli\metre.
+_RAISED = {"square": "squared", "cubic": "cubed"}
+_RAISED_BEFORE = re.compile(
+    rf"\\(square|cubic)\s*((?:\\(?:{'|'.join(_JOINED)})\s*)*\\[A-Za-z]+\s*|\s[A-Za-z]+\s*)"
+)
 _FACTOR = re.compile(
     r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+(?:/\d+)?)\}?)?\s*"
 )
@@ -170,6 +177,7 @@ def spell_unit(text: str) -> str:
         known = _SPELLED.get(name, match[0])
         return known if name in _JOINED or known[0] in "/^·" else f"{known} "
 
+    text = _RAISED_BEFORE.sub(lambda found: rf"{found[2]}\{_RAISED[found[1]]} ", text)
     text = _DOT.sub("·", text.replace(r"\%", "%"))
     return re.sub(r"\s+(?=[\^/])", "", _MACRO.sub(spell, text)).strip()
 

@@ -54,6 +54,11 @@ _RANGE = re.compile(
 _LIST = re.compile(
     rf"{_BEFORE_RANGE}\(?\s*(?<![A-Za-z])([a-z])\s*=\s*\d+\s*(?:,(?:\s|\\,)*\d+\s*)+\)?\s*\Z"
 )
+# "For all x" says nothing of a letter that is real anyway; it may say that i to n count.
+_ALL = re.compile(
+    rf"{_BEFORE_RANGE}(?:\\forall|\\(?:text|mbox|textrm)\s*\{{\s*for (?:all|any|every)\s*\}})"
+    r"(?:\s|~|\\[,;: ])*(?:(?![i-n])[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{\w+\}))?\s*\Z"
+)
 _INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
 _TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (
@@ -207,7 +212,8 @@ def _clean(latex: LocatedText) -> LocatedText:
     """Drop what leads to an equation, and the stop behind it."""
     latex = latex.replace(_TITLE_AT_START, lambda _: "").replace(_LINK_AT_START, lambda _: "")
     latex = _drop_leads(latex).strip(end=".,;~")
-    found = _RANGE.search(latex.string) or _find_list(latex.string)
+    string = latex.string
+    found = _RANGE.search(string) or _find_list(string) or _ALL.search(string)
     if found and found.start():
         latex = latex[: found.start()]
     while latex.string.endswith((*_BLANK[:6], ",\\")):
