@@ -99,6 +99,21 @@ DISPLAYS = {
         r"\iffalse $$a=1 \iff b$$ \iftrue $$b=2$$ \fi $$c=3$$ \fi $$d=4$$",
         [("display 1", "d=4")],
     ),
+    "the other branch of what is false is text": (
+        r"\iffalse $$a=1$$ \else $$b=2$$ \fi \ifx\a\b $$c=3$$ \else $$d=4$$ \fi \iftoggle{a}{}{}"
+        r"\iftrue $$e=5$$ \else $$f=6$$ \fi",
+        [(f"display {n}", f"{x}={m}") for n, (x, m) in enumerate(("b2", "c3", "d4", "e5"), 1)],
+    ),
+    "a decision of the paper": (
+        r"\newif\ifdraft\newif\iflong\longtrue\ifdraft $$a=1$$ \ifx\a\b\else $$b=2$$ \fi"
+        r"\else $$c=3$$ \fi\iflong $$d=4$$ \fi",
+        [("display 1", "c=3"), ("display 2", "d=4")],
+    ),
+    "listings in a line": (
+        r"\lstinline[a]!$$a=1$$!, \mintinline{tex}|$$b=2$$|, \verb*+$$c=3$$+"
+        r"\begin{Verbatim}$$e=5$$\end{Verbatim} $$d=4$$",
+        [("display 1", "d=4")],
+    ),
     "two formulas in a line are no display": (
         r"Both $a$$b$ and $c$ $$d=4$$",
         [("display 1", "d=4")],

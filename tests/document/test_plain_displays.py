@@ -132,6 +132,7 @@ JUDGED = {
         r"\cos",
         r"\sin",
     ),
+    r"$$2\pi*x-\pi*%s=\pi*x$$": ("x", "x^2"),
     r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
 }
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from mechproof.latex.characters import spell
+from mechproof.latex.characters import GREEK, spell
 from mechproof.latex.words import AND
 
 # What may stand behind \\, the end of a row: how far away the next one begins.
@@ -117,6 +117,11 @@ def _find_signs(latex: str) -> Iterator[Token]:
             continue
         if match[0].startswith(r"\\"):
             yield Token(r"\\", match.start(), match.start() + 2)
+            continue
+        if match[0][1:-1] in GREEK and match[0].endswith("*"):
+            # A letter has no form with a star: this is a sign of multiplication.
+            yield Token(match[0][:-1], match.start(), match.end() - 1)
+            yield Token("*", match.end() - 1, match.end())
             continue
         for text in spell(match[0]) if len(match[0]) == 1 else (match[0],):
             yield Token(text, match.start(), match.end())

@@ -19,10 +19,16 @@ MARKDOWN = (".md", ".markdown", ".mmd")
 SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
 _DEEPEST = 20
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
-_VERBATIM = re.compile(r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}", re.DOTALL)
-# A branch of TeX, and its end.
-_BRANCH = re.compile(r"\\(?:(?!iff\b|ifthenelse)if[a-zA-Z]*|fi)(?![a-zA-Z])")
-_VERB = re.compile(r"\\verb\*?([^A-Za-z*\s]).*?\1")
+_VERBATIM = re.compile(
+    r"\\begin\{(verbatim\*?|[BLV]?Verbatim|lstlisting|comment|minted|filecontents\*?)\}.*?\\end\{\1\}",
+    re.DOTALL,
+)
+# A branch of TeX, the other one, and their end; and what an author decides which is printed.
+_BRANCH = re.compile(r"\\(?:(?!iff\b|ifthenelse)if[a-zA-Z]*|else|fi)(?![a-zA-Z])")
+_DECIDED = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
+_VERB = re.compile(
+    r"\\(?:verb\*?|(?:lst|mint)inline(?:\[[^\[\]]*\])?(?:\{[a-z]+\})?)([^A-Za-z*\s{\[]).*?\1"
+)
 _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
@@ -134,16 +140,31 @@ def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> Lo
 
 
 def _drop_false(text: LocatedText) -> LocatedText:
-    r"""Leave out what stands between \iffalse and its \fi, with the branches inside."""
-    parts, last, depth = [], 0, 0
+    r"""Leave out the branches that are not printed: of \iffalse, and of an \ifdraft of the paper.
+
+    Such a decision is false until \drafttrue makes it true.
+    """
+    decided = _DECIDED.findall(text.string)
+    text = text.replace(_DECIDED, lambda _: " ")
+    known = {r"\iffalse": False, r"\iftrue": True}
+    for name in decided:
+        ways = re.findall(rf"\\{name}(true|false)(?![A-Za-z])", text.string)
+        known[rf"\if{name}"] = ways[-1:] == ["true"]
+    parts, last = [], 0
+    # Of each open branch whether it is printed, nothing if that is not known.
+    opened: list[bool | None] = []
     for match in _BRANCH.finditer(text.string):
-        if depth == 0 and match[0] == r"\iffalse":
+        if False not in opened:
             parts.append(text[last : match.start()])
-            depth = 1
-        elif depth:
-            depth += -1 if match[0] == r"\fi" else 1
-            last = match.end()
-    return text if depth else join([*parts, text[last:]])
+            last = match.start()
+        if match[0] == r"\else" and opened:
+            opened[-1] = None if opened[-1] is None else not opened[-1]
+        elif match[0] == r"\fi" and opened:
+            opened.pop()
+        elif match[0] not in (r"\else", r"\fi"):
+            opened.append(known.get(match[0]))
+        last = match.end()
+    return text if False in opened else join([*parts, text[last:]])
 
 
 def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
