@@ -104,6 +104,20 @@ DISPLAYS = {
         r"g&=h\;\forall g>0\end{align}",
         [("(1)", "a=b"), ("(2)", "c=d"), ("(3)", r"e=f\ \forall n"), ("(4)", r"g=h\;\forall g>0")],
     ),
+    "what braces say": (
+        E % r"\underbrace{a+\frac{b}{c}}_{=:d}+\overbrace{e}^{\text{gain}}+\underbrace{f}_{g}=h",
+        [
+            (
+                "(1), part 1",
+                r"\underbrace{a+\frac{b}{c}}_{=:d}+\overbrace{e}^{\text{gain}}+\underbrace{f}_{g}=h",
+            ),
+            ("(1), part 2", r"d=a+\frac{b}{c}"),
+        ],
+    ),
+    "words between with braces of their own": (
+        r"\begin{align*}a&=b\intertext{the \emph{sum} of all}c&=\int\text{d}x\end{align*}",
+        [("display 1", "a=b"), ("display 2", r"c=\int\mathrm{d}x")],
+    ),
     "names at the ends of lines": (
         r"\begin{IEEEeqnarray}{rCl}a&=&b\IEEEyesnumber\IEEEyessubnumber*\\c&=&\nonumber\\&&d\\"
         r"\end{IEEEeqnarray}",
@@ -137,6 +151,25 @@ JUDGED = {
 }
 
 
+VECTORS = r"""
+%% mechproof
+%% J 2x2 : matrix
+%% \bm q ; \dot{\bm q} ; \bm x 2x1 : columns
+%% end
+"""
+
+
+def test_types_that_print_alike_and_dots_in_bold_are_one_letter() -> None:
+    rows = check(
+        "paper.tex",
+        VECTORS + E % r"\bm x=J\bm{\dot q}\quad\text{and}\quad "
+        r"\boldsymbol{x}\cdot\pmb{\dot{q}}=\dot{\bm{q}}^TJ\boldsymbol{\dot{q}}",
+    ).rows
+    assert [str(row.outcome) for row in rows] == ["DEFINITION", "PROVED"]
+    (row,) = check("paper.tex", VECTORS + E % r"\bm x=J\mathbf{\dot q}").rows
+    assert str(row.outcome) == "not read"
+
+
 UNREAD = {
     r"\sin[2](x)=y": "a number in square brackets behind a function",
     r"y=\num{2.0(1)}": "a bracket behind the digits of a number",
@@ -144,6 +177,14 @@ UNREAD = {
     r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
 }
+
+
+def test_what_a_brace_says_is_judged() -> None:
+    print_ = E % r"\underbrace{\sin^2x+\cos^2x}_{=%s}+y=1+y"
+    found = [
+        [str(row.outcome) for row in check("paper.tex", PAPER + print_ % n).rows] for n in "12"
+    ]
+    assert found == [["PROVED", "PROVED"], ["PROVED", "REFUTED"]]
 
 
 @pytest.mark.parametrize(("latex", "reason"), UNREAD.items())

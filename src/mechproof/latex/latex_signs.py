@@ -47,7 +47,7 @@ _SAME = {
     **dict.fromkeys((r"\dbinom", r"\tbinom"), r"\binom"),
     **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
-    **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
+    **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc", r"\hdots"), r"\dots"),
     "*": r"\cdot",
     **dict.fromkeys((r"\vert",), "|"),
     **dict.fromkeys((r"\Vert", r"\lVert", r"\rVert"), r"\|"),
@@ -55,6 +55,7 @@ _SAME = {
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     **{r"\neq": r"\ne", r"\simeq": r"\approx", r"\textbf": r"\mathbf"},
+    **dict.fromkeys((r"\boldsymbol", r"\pmb"), r"\bm"),
     # Accents that amsmath places above other accents.
     **{f"\\{name.title()}": f"\\{name}" for name in ("vec", "hat", "tilde", "bar", "dot", "ddot")},
     **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),

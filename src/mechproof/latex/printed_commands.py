@@ -5,7 +5,7 @@ QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 # What marks its argument, but says nothing of it.
 MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
 # What marks its argument with a brace, and names it behind that sign.
-BRACES = {r"\underbrace": "_", r"\overbrace": "^"}
+BRACES = {r"\underbrace": "_", r"\overbrace": "^", r"\underbracket": "_", r"\overbracket": "^"}
 # What writes something above or below a sign; a question is none.
 STACKS = (r"\overset", r"\underset", r"\stackrel")
 QUESTION = "?"

@@ -15,8 +15,8 @@ from itertools import pairwise, takewhile
 from mechproof.latex import left_scripts, printed_commands
 from mechproof.latex.characters import read_script
 from mechproof.latex.errors import TOO_DEEP, PrintedText, ReadingError
-from mechproof.latex.latex_signs import GAPS, STAR, Token, same_sign, split_signs
-from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
+from mechproof.latex.latex_signs import GAPS, STAR, Token, find_close, same_sign, split_signs
+from mechproof.latex.left_scripts import ACCENTS, DOTTED, LEFT, TEXT, UPRIGHT, VECTORS
 from mechproof.latex.package_commands import expand_commands
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
@@ -252,6 +252,11 @@ class _Normaliser:
         count = 1 if command.text in ACCENTS else _ARGUMENTS.get(command.text, 0)
         for _ in range(count):
             signs += self._read_argument()
+        texts = [sign.text for sign in signs]
+        is_dotted = texts[0] in VECTORS and texts[2] in DOTTED
+        if is_dotted and find_close(texts[3:]) == len(texts[3:-2]):
+            # A dot above a bold letter may be printed bold, too.
+            signs[0], signs[2] = replace(command, text=texts[2]), replace(signs[2], text=texts[0])
         return signs
 
     def _read_argument(self) -> list[Token]:

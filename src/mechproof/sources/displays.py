@@ -16,7 +16,13 @@ from mechproof.sources.lines import begins_with_sign, cut_gaps, goes_on, join_li
 from mechproof.sources.located_text import Files, LocatedText, Place, join
 from mechproof.sources.macros import Defined, Macro, expand, find_macros
 from mechproof.sources.paper_files import DocumentError
-from mechproof.sources.plain_displays import BUILT_IN, FRAMES, write_frames, write_plainly
+from mechproof.sources.plain_displays import (
+    BUILT_IN,
+    FRAMES,
+    list_braced,
+    write_frames,
+    write_plainly,
+)
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
@@ -222,6 +228,8 @@ def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterat
     plain = [line.replace(_NAMING, lambda _: " ").replace(_BESIDE, lambda _: " ") for line in lines]
     latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
     yield from (piece for piece in (cut_gaps(latex) if cut else [latex.strip()]) if len(piece))
+    if cut:
+        yield from list_braced(latex)
 
 
 def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:

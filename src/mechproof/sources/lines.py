@@ -25,7 +25,7 @@ _SYSTEM = re.compile(
     r"\\begin\s*\{d?cases\}|\\left\s*\\\{\s*(?:\\begin\s*\{(?:array|matrix)\}(?:\s*\{[lcr|\s]*\})?)?"
 )
 _TABLE_END = re.compile(r"\\end\s*\{(?:array|matrix)\}\s*\Z")
-_INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{[^{}]*\}")
+_INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _STEP = re.compile(
     r"\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|\\\\"
     r"|\\(?:left|right)(?![A-Za-z])\s*(?:\\[A-Za-z]+|\\.|.)"

@@ -64,6 +64,7 @@ _ALIKE = tuple(
         (r"\\hspace\*?\s*\{[^{}]*\}|\\hfill?(?![A-Za-z])", r"\\quad "),
         # A comma or a point in words.
         (r"\\(?:text|textrm|mbox|hbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
+        (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
         # How siunitx is to print a number.
         (
             r"(?P<name>\\(?:SI|qty|num|si|unit|ang)(?![A-Za-z]))\s*\[[^\[\]]*=[^\[\]]*\](?=\s*\{)",
@@ -74,6 +75,10 @@ _ALIKE = tuple(
 _WORDED = re.compile(r"\\begin\{d?cases\*\}.*?\\end\{d?cases\*\}", re.DOTALL)
 _CONDITION = re.compile(r"&((?:(?!\\\\|&|\\end\b).)*)", re.DOTALL)
 _OVER = re.compile(r"\\over(?![A-Za-z])\s?")
+_BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")
+_SAID = re.compile(r"\s*[_^]\s*(?P<label>\{)\s*(?::?=:?|\\equiv|\\triangleq|\\coloneqq)")
+# Words say more than an equation, and what is zero may be so in a case.
+_OPEN = re.compile(r"\s*0\s*\}|.*\\(?:text|mbox)", re.DOTALL)
 _DELIMITER = re.compile(r"\\(?P<side>left|right)(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 
 
@@ -135,6 +140,18 @@ def write_plainly(body: LocatedText) -> LocatedText:
     for pattern, written in _ALIKE:
         body = body.replace(pattern, partial(_write, written))
     return _write_fractions(join(list(_write_conditions(body))))
+
+
+def list_braced(latex: LocatedText) -> Iterator[LocatedText]:
+    r"""Yield what braces say of what they enclose, \underbrace{a}_{=b}, as equations b=a."""
+    string = latex.string
+    for match in _BRACED.finditer(string):
+        end = find_brace(string, match.end())
+        said = _SAID.match(string, end + 1) if end is not None else None
+        close = find_brace(string, said.start("label")) if said else None
+        if said and close and not _OPEN.match(string, said.end(), close + 1):
+            above = latex[match.end() + 1 : end]
+            yield join([latex[said.end() : close], latex.put("=", said.start()), above])
 
 
 def _write(written: str, match: re.Match[str]) -> str:
