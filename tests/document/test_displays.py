@@ -109,9 +109,10 @@ DISPLAYS = {
         r"\else $$c=3$$ \fi\iflong $$d=4$$ \fi",
         [("display 1", "c=3"), ("display 2", "d=4")],
     ),
-    "listings in a line": (
+    "listings, drawings and algorithms": (
         r"\lstinline[a]!$$a=1$$!, \mintinline{tex}|$$b=2$$|, \verb*+$$c=3$$+"
-        r"\begin{Verbatim}$$e=5$$\end{Verbatim} $$d=4$$",
+        r"\begin{Verbatim}$$e=5$$\end{Verbatim} \begin{algorithm}\[n=n+1\]\end{algorithm}"
+        r"\begin{tikzpicture}\node {$$e=6$$};\end{tikzpicture} $$d=4$$",
         [("display 1", "d=4")],
     ),
     "two formulas in a line are no display": (

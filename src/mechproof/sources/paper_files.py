@@ -19,8 +19,10 @@ MARKDOWN = (".md", ".markdown", ".mmd")
 SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
 _DEEPEST = 20
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+# What states no equation: listings, drawings, and algorithms, where n=n+1 gives a value.
 _VERBATIM = re.compile(
-    r"\\begin\{(verbatim\*?|[BLV]?Verbatim|lstlisting|comment|minted|filecontents\*?)\}.*?\\end\{\1\}",
+    r"\\begin\{(verbatim\*?|[BLV]?Verbatim|lstlisting|comment|minted|filecontents\*?|tikzpicture"
+    r"|algorithm(?:ic|2e)?\*?|thebibliography)\}.*?\\end\{\1\}",
     re.DOTALL,
 )
 # A branch of TeX, the other one, and their end; and what an author decides which is printed.

@@ -62,8 +62,9 @@ _ALIKE = tuple(
         (rf"\\(?:[mh]?kern|[mh]skip)\s*{_LENGTH}|\\[mhv]space\*?\s*\{{\s*-[^{{}}]*\}}", " "),
         (r"\\(?:mspace|vspace\*?)\s*\{[^{}]*\}", " "),
         (r"\\hspace\*?\s*\{[^{}]*\}|\\hfill?(?![A-Za-z])", r"\\quad "),
+        (r"\\(?:hbox|textnormal)(?=\s*\{)", r"\\text"),
         # A comma or a point in words.
-        (r"\\(?:text|textrm|mbox|hbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
+        (r"\\(?:text|textrm|mbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
         # How siunitx is to print a number.
         (
