@@ -114,6 +114,15 @@ DISPLAYS = {
             ("(1), part 2", r"d=a+\frac{b}{c}"),
         ],
     ),
+    "first lines that stand out": (
+        r"\begin{eqnarray*}\lefteqn{a+b}\\&=&c\end{eqnarray*}"
+        r"\begin{align*}\MoveEqLeft[3]a\\={}&b\end{align*}",
+        [("display 1", "a+b =c"), ("display 2", "a ={}b")],
+    ),
+    "words with formulas among them": (
+        E % r"a=\left\lbrace\begin{array}[c]{l}b\\c&\mbox{if $d_{1}>0$}\end{array}\right.",
+        [("(1)", r"a=\left\{\begin{array}{l}b\\c&\text{if } d_{1}>0 \end{array}\right.")],
+    ),
     "words between with braces of their own": (
         r"\begin{align*}a&=b\intertext{the \emph{sum} of all}c&=\int\text{d}x\end{align*}",
         [("display 1", "a=b"), ("display 2", r"c=\int\mathrm{d}x")],
@@ -146,6 +155,7 @@ JUDGED = {
         r"\cos",
         r"\sin",
     ),
+    r"\begin{align*}\sqrt{x^2}&=x\quad\text{for $x%s0$.}\end{align*}": (">", "<"),
     r"$$2\pi*x-\pi*%s=\pi*x$$": ("x", "x^2"),
     r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
 }
@@ -175,6 +185,7 @@ UNREAD = {
     r"y=\num{2.0(1)}": "a bracket behind the digits of a number",
     r"y=\SI{3(2)}{m}": "a bracket behind the digits of a number",
     r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
+    r"\sqrt{x^2}=x\quad\text{unless $x<0$}": "unless",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
 }
 

@@ -15,7 +15,7 @@ from mechproof.sources.located_text import LocatedText, join
 
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(
-    r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|align\*?|gather\*?|multline\*?"
+    r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|multlined|align\*?|gather\*?|multline\*?"
     r"|equation\*?)\}"
     r"(?:\[[tbc]\])?(?:\{\d+\})?"
 )

@@ -43,6 +43,8 @@ BUILT_IN: Mapping[str, Macro] = {
     },
     **dict.fromkeys((r"\boxed", r"\Aboxed"), Macro("#1", 1)),
     r"\textcolor": Macro("#3", 3, ""),
+    r"\lefteqn": Macro("#1", 1),
+    r"\MoveEqLeft": Macro("", 1, ""),
     r"\eqalign": Macro(r"\begin{aligned}#1\end{aligned}", 1),
     **{
         rf"\{kind}": Macro(rf"\begin{{{kind}}}#1\end{{{kind}}}", 1)
@@ -63,6 +65,9 @@ _ALIKE = tuple(
         (r"\\(?:mspace|vspace\*?)\s*\{[^{}]*\}", " "),
         (r"\\hspace\*?\s*\{[^{}]*\}|\\hfill?(?![A-Za-z])", r"\\quad "),
         (r"\\(?:hbox|textnormal)(?=\s*\{)", r"\\text"),
+        (r"\\lbrace(?![A-Za-z])", r"\\{"),
+        (r"\\rbrace(?![A-Za-z])", r"\\}"),
+        (r"\\begin\{array\}\s*\[[tcb]\]", r"\\begin{array}"),
         # A comma or a point in words.
         (r"\\(?:text|textrm|mbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
@@ -75,6 +80,8 @@ _ALIKE = tuple(
 )
 _WORDED = re.compile(r"\\begin\{d?cases\*\}.*?\\end\{d?cases\*\}", re.DOTALL)
 _CONDITION = re.compile(r"&((?:(?!\\\\|&|\\end\b).)*)", re.DOTALL)
+# Words with a formula among them.
+_MIXED_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{(?P<words>[^{}$]*\$(?:[^{}]|\{[^{}]*\})*)\}")
 _OVER = re.compile(r"\\over(?![A-Za-z])\s?")
 _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")
 _SAID = re.compile(r"\s*[_^]\s*(?P<label>\{)\s*(?::?=:?|\\equiv|\\triangleq|\\coloneqq)")
@@ -140,6 +147,7 @@ def write_plainly(body: LocatedText) -> LocatedText:
     """Return a display in the commands of amsmath."""
     for pattern, written in _ALIKE:
         body = body.replace(pattern, partial(_write, written))
+    body = body.replace(_MIXED_WORDS, lambda found: _part_words(found["words"]))
     return _write_fractions(join(list(_write_conditions(body))))
 
 
@@ -164,16 +172,18 @@ def _write_conditions(body: LocatedText) -> Iterator[LocatedText]:
     last = 0
     for match in _WORDED.finditer(body.string):
         yield body[last : match.start()]
-        yield body[match.start() : match.end()].replace(_CONDITION, _write_condition)
+        cases = body[match.start() : match.end()]
+        yield cases.replace(_CONDITION, lambda found: f"&{_part_words(found[1])}")
         last = match.end()
     yield body[last:]
 
 
-def _write_condition(match: re.Match[str]) -> str:
-    pieces = match[1].split("$")
+def _part_words(text: str) -> str:
+    """Return words with formulas between dollars as formulas with words."""
+    pieces = text.split("$")
     words = (rf"\text{{{piece}}}" if piece.strip(" ,.;~\n") else piece for piece in pieces[::2])
     formulas = [*pieces[1::2], ""]
-    return "&" + " ".join(f"{w} {f}" for w, f in zip(words, formulas, strict=False))
+    return " ".join(f"{w} {f}" for w, f in zip(words, formulas, strict=False))
 
 
 def _write_fractions(text: LocatedText) -> LocatedText:
