@@ -85,8 +85,8 @@ _MIXED_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{(?P<words>[^{}$]*\$(?:[^{
 _OVER = re.compile(r"\\over(?![A-Za-z])\s?")
 _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")
 _SAID = re.compile(r"\s*[_^]\s*(?P<label>\{)\s*(?::?=:?|\\equiv|\\triangleq|\\coloneqq)")
-# Words say more than an equation, and what is zero may be so in a case.
-_OPEN = re.compile(r"\s*0\s*\}|.*\\(?:text|mbox)", re.DOTALL)
+# Words say more than an equation, and a number may be a value in a case.
+_OPEN = re.compile(r"\s*-?[\d.]+\s*\}|.*\\(?:text|mbox)", re.DOTALL)
 _DELIMITER = re.compile(r"\\(?P<side>left|right)(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 
 
