@@ -196,7 +196,7 @@ def _read_display(
     if kind in ("alignat", "IEEEeqnarray"):
         body = body.replace(_COLUMNS, lambda _: "")
     try:
-        body = write_plainly(expand(body, BUILT_IN | macros))
+        body = write_plainly(expand(body, {**BUILT_IN, **macros}))
     except DocumentError as error:
         fault = str(error)
     is_numbered = part == "body" and not environment.endswith("*") and kind != "displaymath"
