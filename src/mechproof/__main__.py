@@ -71,7 +71,7 @@ def _run() -> None:
     # SymPy makes many objects that live: it is to remember more of them, and garbage is looked for
     # less often. Read when SymPy is imported.
     os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
-    gc.set_threshold(50_000)
+    gc.set_threshold(1_000_000)
     from mechproof.cli import app
 
     app(prog_name="mechproof")

@@ -99,7 +99,7 @@ def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
     generators = ring.list_generators(value)
     coefficient, signed = _to_rational(number), []
     for part, power in factors:
-        factor = sp.Poly(ring.write(part), *generators)
+        factor = ring.to_poly(part, generators)
         if factor.LC() < 0:
             factor, coefficient = -factor, coefficient * (-1) ** int(power)
         signed.append((factor, int(power)))
@@ -241,6 +241,15 @@ class _Ring:
         """List the generators that occur, in SymPy's order."""
         degrees = zip(self.symbols, value.degrees(), strict=False)
         return list(sort_generators(symbol for symbol, degree in degrees if degree))
+
+    def to_poly(self, value: fmpq_mpoly, generators: list[sp.Expr]) -> sp.Poly:
+        """Return a polynomial of SymPy's in some of the generators."""
+        order = [self.symbols.index(s) for s in generators]
+        terms = value.to_dict().items()
+        return sp.Poly.from_dict(
+            {tuple(int(powers[n]) for n in order): _to_rational(c) for powers, c in terms},
+            *generators,
+        )
 
     def is_negative(self, value: fmpq_mpoly) -> bool:
         """Return whether the leading coefficient is, the generators in SymPy's order."""

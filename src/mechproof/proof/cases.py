@@ -17,7 +17,7 @@ from sympy.core.relational import Relational
 
 from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.signs import is_nonnegative, is_positive, is_shown
-from mechproof.record.parts import find_bound, find_free
+from mechproof.record.parts import find_bound, find_free, find_parts
 from mechproof.record.relations import Slack, find_slack, solve
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
@@ -79,7 +79,7 @@ def _are_opposite(one: Slack, other: Slack, domain: Domain) -> bool:
 
 def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     """Prove sums to a count equal where it is zero, and from 1 on; None for other sides."""
-    sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
+    sums = {total for side in sides for total in find_parts(side, sp.Sum, sp.Product)}
     free = {symbol for total in sums for symbol in total.free_symbols}
     counts = [symbol for symbol in free if domain.set_of(symbol) == sp.S.Naturals0]
     if not counts:
@@ -95,7 +95,9 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     """Prove sums that begin at a letter equal by how far they go above it; None for others."""
-    sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
+    sums = {total for side in sides for total in find_parts(side, sp.Sum, sp.Product)}
+    if not sums:
+        return None
     ends = {limits[1:] for total in sums for limits in total.limits if limits[1].free_symbols}
     known = ((low, high) for low, high in ends if high.is_Symbol and not low.has(high))
     for low, high in sorted(known, key=str):

@@ -19,6 +19,7 @@ from functools import lru_cache
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+from mechproof.arithmetic.polynomials import cancel
 from mechproof.proof.coordinates import (
     Coordinates,
     free_tangents,
@@ -150,9 +151,9 @@ def _is_quotient(expression: sp.Expr) -> bool:
 def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
     """Return the sign of a number that is a multiple of one that a relation says."""
     for value, strict in said:
-        ratio = sp.cancel(number / value)
-        if ratio.is_number and ratio != 0:
-            return StrictSign(1 if ratio > 0 else -1, strict)
+        above, below = cancel(number / value)
+        if above.is_number and below.is_number and above != 0:
+            return StrictSign(1 if above / below > 0 else -1, strict)
     return None
 
 

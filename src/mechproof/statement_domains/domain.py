@@ -137,7 +137,10 @@ class Domain:
 
         `fixed` values are taken over. Raises `RecordError` if no point is found.
         """
-        names, relations = self._connect(set(symbols) | fixed.keys(), fixed)
+        return [*_find_points(self, frozenset(symbols), count, tuple(fixed.items()))]
+
+    def _find_points(self, symbols: frozenset[sp.Basic], count: int, fixed: Values) -> list[Point]:
+        names, relations = self._connect({*symbols, *fixed}, fixed)
         ordered = sorted(names - fixed.keys(), key=_plain)
         wanted = count if ordered else 1
         walk = self._walk(ordered, wanted)
@@ -290,6 +293,17 @@ def _make_free(
             within[symbol] = sp.S.Reals
             return
     raise RecordError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
+
+
+# The entries of a matrix, and the rungs of a proof, ask for the same points.
+@lru_cache(maxsize=256)
+def _find_points(
+    domain: Domain,
+    symbols: frozenset[sp.Basic],
+    count: int,
+    fixed: tuple[tuple[sp.Basic, sp.Expr], ...],
+) -> list[Point]:
+    return domain._find_points(symbols, count, dict(fixed))
 
 
 @lru_cache(maxsize=512)
