@@ -87,9 +87,11 @@ class Field:
         if node.is_Rational or node.is_Symbol:
             return node
         if isinstance(node, sp.Add | sp.Mul):
-            return node.func(*(self._translate(argument) for argument in node.args))
+            # What is read as a polynomial need not be put in order before.
+            parts = (self._translate(argument) for argument in node.args)
+            return node.func(*parts, evaluate=False)
         if isinstance(node, sp.Pow) and node.exp.is_Integer:
-            return self._translate(node.base) ** node.exp
+            return sp.Pow(self._translate(node.base), node.exp, evaluate=False)
         if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2:
             return self._translate_root(node.base) ** node.exp.p
         if isinstance(node, sp.Pow) and node.exp.is_Rational:

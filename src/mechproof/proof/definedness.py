@@ -84,7 +84,9 @@ def put_in(side: Any, domain: Domain) -> Any:
     value = domain.resolve(side)
     if value == side:
         return value
-    parts = {part: domain.resolve(part) for part in list_partial(side)}
+    partial = list_partial(side)
+    # At once: they hold one another.
+    parts = dict(zip(partial, domain.resolve(sp.Tuple(*partial)), strict=True))
     for part, found in parts.items():
         if found.is_extended_real is False or found.has(sp.nan, sp.zoo):
             raise NotImplementedError(f"{part} has no real value, as its letters are given")
