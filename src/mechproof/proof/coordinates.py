@@ -140,7 +140,7 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
     for angle in list_angles(expression):
         t = sp.Dummy("t", real=True)
         replacement |= {sp.tan(angle): 2 * t / (1 - t**2), **_write_by_tangent(angle, t)}
-    return expression.xreplace(replacement)
+    return replace_parts(expression, replacement)
 
 
 def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:

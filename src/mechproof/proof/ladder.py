@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from itertools import product
 from typing import Any
 
@@ -157,6 +158,8 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
     return relation.func(*sides, evaluate=False)
 
 
+# Rows share the numbers that they compare.
+@lru_cache(maxsize=256)
 def _decide_numbers(printed: sp.Basic, relation: sp.Basic, domain: Domain) -> Answer:
     """Decide a relation without letters, with the values of its integrals and endless sums."""
     sides, rungs = settle_sides(resolve_sides(printed, domain), domain)

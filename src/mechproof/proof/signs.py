@@ -32,7 +32,7 @@ from mechproof.proof.coordinates import (
 )
 from mechproof.proof.named_roots import name_roots
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
-from mechproof.record.parts import find_parts, find_roots, has_parts
+from mechproof.record.parts import find_parts, find_roots, has_parts, replace_parts
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -241,7 +241,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
     changed = free_tangents(expression)
     # Gaps are chained, as in R3 < R2 < R1: what is put in may hold letters that are replaced.
     for _ in range(3):
-        changed = changed.xreplace(coordinates.replacement)
+        changed = replace_parts(changed, coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
             break
     radicands = {p.base for p in expression.atoms(sp.Pow) if not p.exp.is_integer}
