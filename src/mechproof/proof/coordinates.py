@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 
 import sympy as sp
@@ -67,13 +68,24 @@ def parametrise(variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr) -> tuple[sp
     return lower + (upper - lower) * variable, sp.Interval(0, 1)
 
 
+# The same each time: SymPy remembers what it has found out about a number.
+@lru_cache(maxsize=256)
+def _name_number(symbol: sp.Basic, where: sp.Set) -> sp.Dummy:
+    return sp.Dummy(f"v_{symbol}", nonnegative=True)
+
+
+@lru_cache(maxsize=256)
+def _name_tangent(angle: sp.Expr) -> sp.Dummy:
+    return sp.Dummy("t", real=True)
+
+
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
     """Let a number of an interval be written by one that is positive or not negative."""
     if where in COUNTS and where != sp.S.Integers:
         where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
     if not isinstance(where, sp.Interval) or where == sp.S.Reals:
         return
-    low, high, v = where.start, where.end, sp.Dummy(f"v_{symbol}", nonnegative=True)
+    low, high, v = where.start, where.end, _name_number(symbol, where)
     low_is_reached = not where.left_open and low.is_finite
     (coordinates.nonnegative if low_is_reached else coordinates.positive).add(v)
     if low.is_infinite:
@@ -138,7 +150,7 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
     """Write sines and cosines of each angle by the tangent of its half."""
     replacement: dict[sp.Basic, sp.Expr] = {}
     for angle in list_angles(expression):
-        t = sp.Dummy("t", real=True)
+        t = _name_tangent(angle)
         replacement |= {sp.tan(angle): 2 * t / (1 - t**2), **_write_by_tangent(angle, t)}
     return replace_parts(expression, replacement)
 
