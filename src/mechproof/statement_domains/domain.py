@@ -31,6 +31,7 @@ from mechproof.statement_domains.set_values import (
 )
 
 Point = dict[sp.Basic, sp.Expr]
+_Pairs = tuple[tuple[sp.Basic, sp.Expr], ...]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 _NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
 
@@ -128,10 +129,7 @@ class Domain:
         return not any(v in list_closed_ends(self.set_of(s)) for s, v in point.items())
 
     def points(
-        self,
-        symbols: list[sp.Basic],
-        count: int,
-        fixed: Values = _NO_VALUES,
+        self, symbols: list[sp.Basic], count: int, fixed: Values = _NO_VALUES
     ) -> list[Point]:
         """Return `count` exact interior points, then the corners of closed finite ends.
 
@@ -139,7 +137,8 @@ class Domain:
         """
         return [*_find_points(self, frozenset(symbols), count, tuple(fixed.items()))]
 
-    def _find_points(self, symbols: frozenset[sp.Basic], count: int, fixed: Values) -> list[Point]:
+    def _find_points(self, symbols: frozenset[sp.Basic], count: int, given: _Pairs) -> list[Point]:
+        fixed = dict(given)
         names, relations = self._connect({*symbols, *fixed}, fixed)
         ordered = sorted(names - fixed.keys(), key=_plain)
         wanted = count if ordered else 1
@@ -181,10 +180,7 @@ class Domain:
         return False
 
     def points_at(
-        self,
-        sizes: Mapping[sp.Basic, sp.Expr],
-        symbols: list[sp.Basic],
-        fixed: Values = _NO_VALUES,
+        self, sizes: Values, symbols: list[sp.Basic], fixed: Values = _NO_VALUES
     ) -> Iterator[Point]:
         """Yield points at sizes and round angles; what is neither is any value inside.
 
@@ -271,6 +267,10 @@ class Domain:
                 yield {**inside, **dict(zip(several, corner, strict=True))}
 
 
+# The entries of a matrix, and the rungs of a proof, ask for the same points.
+_find_points = lru_cache(maxsize=256)(Domain._find_points)
+
+
 def sizes_of(published: PublishedSizes) -> Point:
     """Return the published sizes, nominal ones where there are limits."""
     return {
@@ -293,17 +293,6 @@ def _make_free(
             within[symbol] = sp.S.Reals
             return
     raise RecordError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
-
-
-# The entries of a matrix, and the rungs of a proof, ask for the same points.
-@lru_cache(maxsize=256)
-def _find_points(
-    domain: Domain,
-    symbols: frozenset[sp.Basic],
-    count: int,
-    fixed: tuple[tuple[sp.Basic, sp.Expr], ...],
-) -> list[Point]:
-    return domain._find_points(symbols, count, dict(fixed))
 
 
 @lru_cache(maxsize=512)
@@ -333,7 +322,7 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
 
 
 @lru_cache(maxsize=512)
-def _write_sums(relation: sp.Basic, fixed: tuple[tuple[sp.Basic, sp.Expr], ...]) -> sp.Basic:
+def _write_sums(relation: sp.Basic, fixed: _Pairs) -> sp.Basic:
     """Write the sums of a relation out; those of a domain are met at every point of every row."""
     return relation.subs(fixed).doit()
 
