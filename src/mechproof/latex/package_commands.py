@@ -58,7 +58,8 @@ def _set_out(kind: str) -> _Forms:
 _MIXED = ("{{{", r"\frac{\partial^{2}@1}{\partial#2\partial#3}")
 _BARS, _NORM = _enclose(r"\left|", r"\right|"), _enclose(r"\left\|", r"\right\|")
 _FRACTION: _Forms = (("..", r"\frac{#1}{#2}"),)
-_ITSELF: _Forms = ((".", "#1"),)
+_BARE = f"{_PLAIN}1"
+_ITSELF: _Forms = ((_ANY, _BARE),)
 _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys(_name("dv"), _derive("d")),
     **dict.fromkeys(_name("pdv"), (_MIXED, *_derive(r"\partial"))),
@@ -142,7 +143,7 @@ def _find_calls(
             if not end:
                 break
             arguments.append(argument)
-            if not argument and f"{_PLAIN}{len(arguments)}" in body:
+            if not argument and body != _BARE and f"{_PLAIN}{len(arguments)}" in body:
                 break
         else:
             yield body, arguments, end
@@ -153,11 +154,13 @@ def _find_derivatives(
 ) -> Iterator[tuple[str, list[Sequence[Token]], int]]:
     r"""Yield \odv[order=2]{x}{t} and \pdv[2,1]{f}{x,y} as fractions."""
     name = signs[place].text
+    if name not in _DERIVATIVES:
+        return
     option, start = _read_argument(signs, place + 1, "[")
     of, end = _read_argument(signs, start or place + 1, _ANY)
     by, end = _read_argument(signs, end, _ANY) if end else ((), 0)
     letters = _part(by)
-    if name not in _DERIVATIVES or not end or (name in _COMMANDS and len(letters) == 1):
+    if not end or (name in _COMMANDS and len(letters) == 1):
         return
     sign, said = _DERIVATIVES[name], "".join(token.text for token in option)
     orders = said.removeprefix("order=").strip("{}").split(",") if said else ["1"] * len(letters)
