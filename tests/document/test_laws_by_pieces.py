@@ -37,7 +37,7 @@ CASES = {
             r"s'=\begin{cases}2a\psi&\left(\psi<1\right)\\a&[\psi>1]\end{cases}",
             r"s''=\begin{cases}2a&(\psi-2)(\psi+3)<0\\0&(\psi>2)\end{cases}",
         ],
-        ["DEFINITION", "PROVED", "REFUTED", "not judged"],
+        ["DEFINITION", "PROVED", "REFUTED", "REFUTED"],
     ),
     "seams with letters": (
         [
