@@ -41,13 +41,17 @@ _COLUMNS = (
 _TITLE = """# Bounds of rounding errors
 
 `mechproof bound docs/fpbench/benchmarks.fpcore --table docs/bounds.md` writes this page: absolute
-errors in doubles of programs of [FPBench](fpbench/benchmarks.fpcore), as they are proved here, and
-by Gappa and FPTaylor, which are run on the same steps with the same conventions (Gappa plainly and
-with the box cut into some 256 parts, of which the better bound counts). *Coq* is the lowest of some
-multiples of our bound that Coq proves, as with `--coq FOLDER`. What is *cited* is the lowest bound
-that others publish. *found* is the error at the worst input that a search of fixed budget found.
-What is proved is rounded up, what is found down. A dash means: none, not run, or not published.
-Functions are taken as rounded to nearest, as FPTaylor takes them.
+errors, in doubles, of programs of [FPBench](fpbench/benchmarks.fpcore). Functions are taken as
+rounded to nearest, as FPTaylor takes them.
+
+- *proved*: our bound.
+- *Coq*: the lowest of some multiples of our bound that Coq proves, as with `--coq FOLDER`.
+- *found*: the error at the worst input that a search of fixed budget found.
+- *Gappa*, *FPTaylor*: their bounds on the same steps with the same conventions. Gappa is run
+  plainly and with the box cut into some 256 parts; the better bound counts.
+- *cited*: the lowest bound that others publish.
+
+Bounds are rounded up, and found errors down. A dash means: none, not run, or not published.
 """
 
 
