@@ -16,12 +16,10 @@ ROOT = Path(mechproof.__file__).parent
 SIGNS = {"add", "subtract", "multiply", "divide", "negate"}
 COMPOSED = {kind for kind, row in KINDS.items() if row.meaning} - SIGNS
 ARITHMETICS = {
-    "roundoff/running.py": "doubles, where a meaning would be rounded away, and balls",
-    "roundoff/extended.py": "long doubles, which are split elsewhere than doubles",
+    "roundoff/running.py": "doubles, in which a meaning would be rounded away, long ones and balls",
     "roundoff/singles.py": "floats, fused by way of doubles",
     "roundoff/rules.py": "intervals with slopes, in which a square has one side",
-    "roundoff/endpoint_rounding.py": "ends of intervals, each operation rounded once",
-    "roundoff/grids.py": "powers of two that exact results are multiples of",
+    "roundoff/endpoint_rounding.py": "ends of intervals, each operation rounded once, and grids",
     "roundoff/steps.py": "factors that scale all that is computed, what NumPy does by others",
     "roundoff/specialisation.py": "facts about quarter turns",
     "roundoff/compiled_kernels.py": "what compiled kernels compute by others",

@@ -20,8 +20,7 @@ from mechproof.programs import operations
 from mechproof.programs.degrees import DEGREES, NONE, Degree
 from mechproof.programs.lowering import FUNCTIONS
 from mechproof.programs.operations import KINDS, SYMBOLIC, Arithmetic
-from mechproof.roundoff.extended import IN_EXTENDED
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, IN_EXTENDED
 from mechproof.roundoff.symmetry import EVEN, ODD, PARITIES
 
 EPS = 2.0**-52

@@ -22,8 +22,7 @@ from mechproof.programs.raising import WrittenForm
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Claim
-from mechproof.roundoff.extended import IN_EXTENDED
-from mechproof.roundoff.running import run
+from mechproof.roundoff.running import IN_EXTENDED, run
 
 i, j, n = sp.symbols("i j n", integer=True, positive=True)
 u, v, m = (sp.IndexedBase(name, real=True) for name in "uvm")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.arithmetic.largest import bound_largest
+from mechproof.arithmetic.cover import bound_largest
 from mechproof.comparison import fptaylor, gappa
 from mechproof.coq import checker
 from mechproof.fpcore.fpcore_reading import read_cores

@@ -18,8 +18,7 @@ from mechproof.coq.script_comparison import ReadBackError
 from mechproof.coq.terms import UnwritableError
 from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import read_boundings
-from mechproof.roundoff.boxed import Convention, put_in_box
-from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.boxed import Convention, find_worst_input, put_in_box
 from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
 CORES = """

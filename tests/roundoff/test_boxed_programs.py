@@ -10,10 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechproof.arithmetic.largest import Largest, bound_largest
+from mechproof.arithmetic.cover import Largest, bound_largest
 from mechproof.fpcore.fpcore_reading import Core, read_cores
-from mechproof.roundoff.boxed import BoxedProgram, Convention, put_in_box
-from mechproof.roundoff.boxed_worst import find_worst_input, measure
+from mechproof.roundoff.boxed import BoxedProgram, Convention, find_worst_input, measure, put_in_box
 
 FILE = Path(__file__).parents[2] / "docs" / "fpbench" / "benchmarks.fpcore"
 DOUBLES, REAL = Convention(ulps=0.5), Convention(rounded_inputs=True, ulps=0.5)

@@ -30,10 +30,9 @@ from mechproof.roundoff.certificate import (
 from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import IN_NUMPY, Step
+from mechproof.roundoff.steps import IN_NUMPY, NORMAL, Step
 from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.worst import draw, measure
 from mechproof.roundoff.written_scales import WrittenScale

@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 from mechproof.arithmetic.intervals import Interval
-from mechproof.roundoff.grids import are_doubles, find_grid, find_grid_of_number, find_own_grid
+from mechproof.roundoff.endpoint_rounding import (
+    are_doubles,
+    find_grid,
+    find_grid_of_number,
+    find_own_grid,
+)
 
 OPERATIONS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
     "add": lambda a, b: a + b,

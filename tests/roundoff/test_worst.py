@@ -14,7 +14,7 @@ from weights import first_of
 from mechproof.arithmetic.cover import WHOLE, Box, Cover
 from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
-from mechproof.roundoff import certificate, extended, worst
+from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import RoundingClaim
 from mechproof.roundoff.chart_membership import find_membership
 from mechproof.roundoff.computed_stages import ComputedStage
@@ -24,7 +24,7 @@ from mechproof.roundoff.worst import WorstRounding, draw, estimate, find_worst, 
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 needs_long_doubles = pytest.mark.skipif(
-    not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
+    not worst.IS_LONGER, reason="long doubles have the digits of doubles here"
 )
 
 

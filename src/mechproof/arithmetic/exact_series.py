@@ -14,8 +14,7 @@ import sympy as sp
 from flint import fmpq, fmpq_series
 
 from mechproof.arithmetic.layout import Layout, Plan
-from mechproof.arithmetic.series import working
-from mechproof.arithmetic.series_rules import Rules, Series, apply, list_sinc, plan_function
+from mechproof.arithmetic.series import Rules, Series, apply, list_sinc, plan_function, working
 
 # So many coefficients are carried: one fewer than in balls, which enclose the remainder.
 ORDER = 63

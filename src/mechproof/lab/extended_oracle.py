@@ -27,8 +27,7 @@ from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.subexpressions import share_subexpressions
 from mechproof.record import Quantity
 from mechproof.record.relations import find_slack
-from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.running import Values, run
+from mechproof.roundoff.running import DIGITS_OF, IN_EXTENDED, IS_LONGER, LONG_DOUBLE, Values, run
 from mechproof.roundoff.steps import flatten_stage
 
 IN_PLACE = IN_EXTENDED.but(number=np.float64)
@@ -46,7 +45,7 @@ class Extended:
 
     def find_truth(self, arguments: Arguments) -> Truth:
         """Return the values, nearly; undecided are those beyond the domain and the bound."""
-        given = self._name_values(arguments, FORMAT)
+        given = self._name_values(arguments, LONG_DOUBLE)
         plain = self._name_values(arguments, np.float64)
         with np.errstate(all="ignore"):
             taken = [_holds(stage.when, plain, IN_PLACE) for stage in self.code.stages]

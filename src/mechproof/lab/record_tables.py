@@ -24,7 +24,7 @@ from mechproof.measured import (
 from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_bound, tell_place
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY
-from mechproof.roundoff.premises import NORMAL
+from mechproof.roundoff.steps import NORMAL
 
 AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
 

@@ -32,7 +32,7 @@ from mechproof.roundoff.climb import (
     climb_and_judge,
     gather,
 )
-from mechproof.roundoff.extended import IN_EXTENDED
+from mechproof.roundoff.running import IN_EXTENDED
 from mechproof.roundoff.singles import FORMAT, Singles
 
 # Of each set this share, of it so many by balls; rounds uphill, led by long doubles.

@@ -25,9 +25,8 @@ from mechproof.arguments.scalars import (
     require,
 )
 from mechproof.arithmetic.balls import evaluate
-from mechproof.arithmetic.cover import Box
+from mechproof.arithmetic.cover import Box, bound_largest
 from mechproof.arithmetic.intervals import enclose_ball
-from mechproof.arithmetic.largest import bound_largest
 from mechproof.fpcore.fpcore_reading import read_cores
 from mechproof.fpcore.s_expressions import FPCoreError, read_file
 from mechproof.latex import ReadingError
@@ -35,8 +34,7 @@ from mechproof.latex.errors import TOO_DEEP
 from mechproof.pipeline.pasted import PastedError, read_expression
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.programs.lowering import lower_steps
-from mechproof.roundoff.boxed import BoxedProgram, Convention, Range, put_in_box
-from mechproof.roundoff.boxed_worst import find_worst_input
+from mechproof.roundoff.boxed import BoxedProgram, Convention, Range, find_worst_input, put_in_box
 from mechproof.roundoff.steps import StraightLineProgram, make_step, round_constants
 
 FPCORE = ".fpcore"

@@ -15,15 +15,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from mechproof.arithmetic.largest import bound_largest
+from mechproof.arithmetic.cover import bound_largest
 from mechproof.comparison import fptaylor, gappa
 from mechproof.coq import checker
 from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq, round_digits
 from mechproof.pipeline.bounding import PARTS, TOLERANCE, Bounding
-from mechproof.roundoff.boxed import Convention, put_in_box
-from mechproof.roundoff.boxed_worst import find_worst_input
-from mechproof.roundoff.premises import FUNCTIONS
-from mechproof.roundoff.steps import HALF
+from mechproof.roundoff.boxed import Convention, find_worst_input, put_in_box
+from mechproof.roundoff.steps import FUNCTIONS, HALF
 from mechproof.tools.processes import WorkerError, run_tasks
 
 # Seconds for all programs with one convention.

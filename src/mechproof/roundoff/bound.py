@@ -33,7 +33,13 @@ from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.condition_numbers import CarriedConditions, find_condition_numbers
 from mechproof.roundoff.endpoint_rounding import (
+    NO_GRID,
+    Grid,
     RoundedEndpoints,
+    are_doubles,
+    find_grid,
+    find_grid_of_number,
+    find_own_grid,
     limit_by_spacing,
     limit_by_terms,
     round_endpoints,
@@ -42,14 +48,6 @@ from mechproof.roundoff.endpoint_rounding import (
     within_one,
 )
 from mechproof.roundoff.error_tables import ErrorTable
-from mechproof.roundoff.grids import (
-    NONE,
-    Grid,
-    are_doubles,
-    find_grid,
-    find_grid_of_number,
-    find_own_grid,
-)
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rules import RULES, Slopes, enclose_rest
 from mechproof.roundoff.running import IN_DOUBLES, find_number
@@ -221,9 +219,9 @@ class ErrorAnalysis:
 
     def _find_grid(self, operand: Operand) -> Grid:
         if self._grids is None:
-            return NONE
+            return NO_GRID
         if isinstance(operand, str):
-            return self._grids.get(operand, NONE)
+            return self._grids.get(operand, NO_GRID)
         return find_grid_of_number(operand)
 
     def _set_grid(self, step: Step, grid: Grid) -> None:

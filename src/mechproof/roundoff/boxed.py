@@ -1,27 +1,45 @@
-"""Boxed programs: in, steps and the box of their inputs; out, a bound of the error over it.
+"""Boxed programs: in, steps and the box of their inputs; out, a bound of the error, and the worst.
 
 The absolute error or that relative to the exact value, as FPTaylor (Solovyev et al. 2018) has them.
-Inputs are doubles, or real numbers whose rounding is a step of its own.
+Inputs are doubles, or real numbers whose rounding is a step of its own. Long doubles lead the climb
+to the worst input (`climb`), as for kernels (`worst`), and balls judge it. A real input is a double
+and a share of the way to where the next double begins.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
+from typing import Any
 
 import numpy as np
+from flint import arb
 
+from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.cover import Box, Boxes, Side
-from mechproof.arithmetic.intervals import EPS, ONE, Array, list_spans
+from mechproof.arithmetic.intervals import EPS, LEAST_NORMAL, ONE, Array, list_spans
 from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
+from mechproof.roundoff.climb import Points, Schedule, climb_and_judge
 from mechproof.roundoff.interval_monomials import BoxVariables, bound_in_groups
-from mechproof.roundoff.premises import FUNCTIONS, NORMAL
+from mechproof.roundoff.running import (
+    IN_BALLS,
+    IN_DOUBLES,
+    IN_EXTENDED,
+    IS_LONGER,
+    LONG_DOUBLE,
+    look_up,
+    run,
+    run_steps,
+)
 from mechproof.roundoff.steps import (
     CONSTANT,
+    FUNCTIONS,
     HALF,
+    NORMAL,
     Step,
     StraightLineProgram,
     keep_needed,
@@ -30,6 +48,11 @@ from mechproof.roundoff.steps import (
 from mechproof.roundoff.written_scales import share_equal_steps
 
 Range = tuple[Fraction, Fraction]
+BITS = 256
+DRAWN, SEED = 400, 1
+BY_LONG_DOUBLES, ROUNDS = Schedule(300, 4), 100
+# Nearer to where the next double begins a real number may be rounded there.
+NEAREST = 1 - 2.0**-20
 
 
 @dataclass(frozen=True)
@@ -132,3 +155,100 @@ def _enclose(name: str, ends: Range, convention: Convention) -> Side:
     if low > high:
         raise ValueError(f"{name}: no double is in [{ends[0]}, {ends[1]}]")
     return low, high
+
+
+@dataclass(frozen=True)
+class WorstInput:
+    """The exact inputs that were found, and the error there, absolute or relative."""
+
+    error: float
+    at: Mapping[str, Fraction]
+
+
+def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput | None:
+    """Climb from points of boxes; None where no point of them has a finite error."""
+    rng = np.random.default_rng(SEED)
+    count = len(program.box)
+    columns = [np.concatenate([_draw(box[i], rng) for box in boxes]) for i in range(count)]
+    if program.convention.rounded_inputs:
+        size = (count, len(columns[0]))
+        columns += [*(rng.choice((-1.0, 1.0), size) * rng.uniform(0.5, 1.0, size))]
+    start = tuple(columns)
+
+    estimate = partial(_estimate, program) if IS_LONGER else None
+
+    def judge(points: Points) -> Array:
+        exact = (_take_exactly(point, count) for point in zip(*points, strict=True))
+        names = program.straight.inputs
+        return np.array([measure(program, dict(zip(names, at, strict=True))) for at in exact])
+
+    found = climb_and_judge(judge, estimate, start, BY_LONG_DOUBLES, ROUNDS, rng)
+    if not len(found.heights) or found.heights.max() < 0:
+        return None
+    point, error = found.worst
+    exact = _take_exactly([*map(float, point)], count)
+    return WorstInput(error, dict(zip(program.straight.inputs, exact, strict=True)))
+
+
+def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
+    """Return the error at exact inputs, as balls have it; -1 outside the ranges, or near zero."""
+    if any(not low <= at[name] <= high for name, (low, high) in program.ranges.items()):
+        return -1.0
+    given = {name: np.float64(float(value)) for name, value in at.items()}
+    with np.errstate(all="ignore"):
+        (found,) = run(program.straight, given, IN_DOUBLES)
+    if not np.isfinite(found):
+        return -1.0
+    with working_precision(BITS):
+        values = run_steps(program.straight, {n: to_ball(v) for n, v in at.items()}, IN_BALLS)
+        balls = (value for value in values.values() if isinstance(value, arb))
+        if any(ball != 0 and ball.abs_upper() < LEAST_NORMAL for ball in balls):
+            return -1.0
+        exact = look_up(values, program.straight.outputs[0], IN_BALLS)
+        error = abs(arb(float(found)) - exact)
+        error = error / abs(exact) if program.convention.relative else error
+        # The lower end: as much it is for certain.
+        return float(error.lower()) if error.is_finite() else -1.0
+
+
+def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:
+    """Draw doubles of a side, its ends among them."""
+    drawn = rng.uniform(*side, DRAWN)
+    drawn[:2] = side
+    return np.clip(drawn, *side)
+
+
+def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:
+    """Yield the real numbers of doubles and of their shares."""
+    shares = point[count:] or [0.0] * count
+    for double, share in zip(point[:count], shares, strict=True):
+        share = min(max(share, -NEAREST), NEAREST)
+        gap = Fraction(float(np.nextafter(double, np.copysign(np.inf, share)))) - Fraction(double)
+        yield Fraction(double) + abs(Fraction(share)) * gap / 2
+
+
+def _estimate(program: BoxedProgram, points: Points) -> Array:
+    """Measure in long doubles, nearly; -1 outside the box."""
+    count = len(program.box)
+    doubles = points[:count]
+    inside = np.ones(len(doubles[0]), bool)
+    given: dict[str, Any] = {}
+    for i, (name, side) in enumerate(zip(program.straight.inputs, program.box, strict=True)):
+        inside &= (doubles[i] >= side[0]) & (doubles[i] <= side[1])
+        given[name] = doubles[i].astype(LONG_DOUBLE)
+        if len(points) > count:
+            share = np.clip(points[count + i], -NEAREST, NEAREST)
+            gap = np.nextafter(doubles[i], np.copysign(np.inf, share)) - doubles[i]
+            given[name] = given[name] + np.abs(share).astype(LONG_DOUBLE) * gap / 2
+    with np.errstate(all="ignore"):
+        (found,) = run(
+            program.straight, dict(zip(program.straight.inputs, doubles, strict=True)), IN_DOUBLES
+        )
+        values = run_steps(program.straight, given, IN_EXTENDED)
+        exact = look_up(values, program.straight.outputs[0], IN_EXTENDED)
+        error = np.abs(found - exact)
+        error = error / np.abs(exact) if program.convention.relative else error
+        known = inside & np.isfinite(error)
+        for value in values.values():
+            known &= (value == 0) | (np.abs(value) >= LEAST_NORMAL)
+        return np.where(known, error, -1.0).astype(float)

@@ -24,8 +24,8 @@ from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
-from mechproof.roundoff.premises import NORMAL
 from mechproof.roundoff.regions import ChartRegion, list_regions
+from mechproof.roundoff.steps import NORMAL
 from mechproof.roundoff.term_sums import SEARCHED
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines

@@ -31,13 +31,16 @@ from mechproof.roundoff.compensation import find_compensated, find_scaled
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.interval_monomials import bound_in_groups
-from mechproof.roundoff.premises import FUNCTIONS, NORMAL, SUMS, TERMS
 from mechproof.roundoff.regions import ChartRegion, add_up, express
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import (
     CHOICE,
     CONSTANT,
+    FUNCTIONS,
     IN_NUMPY,
+    NORMAL,
+    SUMS,
+    TERMS,
     WAY,
     StraightLineProgram,
     flatten_stage,

@@ -13,11 +13,12 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any
 
+import numpy as np
+
 from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
 from mechproof.programs.program import CONSTANTS, Operand, Operation, Program
 from mechproof.programs.trace import TRACED, trace
-from mechproof.roundoff.premises import FUNCTIONS
 
 HALF = 0.5
 EXACT = 0.0
@@ -33,6 +34,29 @@ ULPS: Mapping[Rounding, float] = {
     Rounding.NEAREST: HALF,
     Rounding.LIBRARY: HALF,
 }
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """By how many ulps of its result a function is off at most, and how that is said."""
+
+    ulps: float
+    text: str
+
+
+FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
+    {
+        name: Assumed(1.0, f"np.{name} within 1 ulp")
+        for name, row in KINDS.items()
+        if row.rounding is Rounding.LIBRARY and hasattr(np, name)
+    }
+)
+# Of every program: the relative error of an operation is bounded in the normal range alone.
+NORMAL = "no result overflows or falls below the normal range"
+# Of maps of points: no more than so many roundings are met by a product.
+SUMS = "np.matmul by products and their sums in any order"
+# Of sums over sets.
+TERMS = "np.sum by additions in any order"
 
 
 @dataclass(frozen=True)

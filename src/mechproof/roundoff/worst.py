@@ -20,9 +20,8 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.roundoff.climb import Measure, Schedule, climb_and_judge
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.regions import ChartRegion
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, IN_EXTENDED, IS_LONGER, LONG_DOUBLE
 
 Points = Mapping[str, Array]
 BITS = 200
@@ -94,7 +93,7 @@ def _list_balls(subject: ComputedStage, points: Points) -> Iterator[Mapping[str,
 def estimate(subject: ComputedStage, points: Points) -> Array:
     """Judge in long doubles, nearly; in doubles where the bound is."""
     outputs, held = _compute(subject, points)
-    extended = {name: FORMAT(column) for name, column in points.items()}
+    extended = {name: LONG_DOUBLE(column) for name, column in points.items()}
     with np.errstate(all="ignore"):
         given = subject.complete(extended, IN_EXTENDED)
         held &= subject.inside.holds(subject.complete(points, IN_DOUBLES), IN_DOUBLES)

@@ -18,8 +18,7 @@ from flint import arb, arb_series
 
 from mechproof.arguments.scalars import refuse
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import list_terms, working
-from mechproof.arithmetic.series_rules import Series
+from mechproof.arithmetic.series import Series, list_terms, working
 from mechproof.programs.elementary.fits import FIT_BITS, interpolate
 from mechproof.programs.elementary.formats import DOUBLE, take_middle
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces

@@ -15,8 +15,7 @@ from itertools import pairwise
 from flint import arb, arb_series
 
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import is_finite, list_terms, working
-from mechproof.arithmetic.series_rules import Series
+from mechproof.arithmetic.series import Series, is_finite, list_terms, working
 from mechproof.programs.elementary.fits import bound_terms
 from mechproof.programs.program import Program
 from mechproof.tailoring.model import Model, PeriodReduction

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from flint import arb, arb_series
 
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import list_terms
-from mechproof.arithmetic.series_rules import Series
+from mechproof.arithmetic.series import Series, list_terms
 from mechproof.programs.elementary.fits import expand_about
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Program

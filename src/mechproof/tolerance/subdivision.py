@@ -2,7 +2,7 @@
 
 The method is that of Moore and Skelboe (1974) with the monotonicity test of Hansen and Walster
 (2004). A box has slopes in balls, which make a face of it and choose the cut: a few hundred, each
-in turn, suffice where `arithmetic.largest` bounds thousands at once in doubles, without slopes.
+in turn, suffice where `arithmetic.cover` bounds thousands at once in doubles, without slopes.
 """
 
 from __future__ import annotations

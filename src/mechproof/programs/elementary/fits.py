@@ -17,8 +17,7 @@ from itertools import pairwise
 from flint import arb, arb_mat, arb_series
 
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import list_terms, working
-from mechproof.arithmetic.series_rules import Series
+from mechproof.arithmetic.series import Series, list_terms, working
 from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 
 # Beyond the ends, for the rounding of what is reduced to an interval.
