@@ -9,12 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.coq.bound_comparison import compare_bound_script
 from mechproof.coq.checker import check_files, is_installed
-from mechproof.coq.elementary_scripts import ElementaryCase, list_elementary
-from mechproof.coq.libraries import ROUNDINGS, read_library
-from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
-from mechproof.coq.script_comparison import ReadBackError
+from mechproof.coq.rounding_scripts import (
+    BoundTheorem,
+    ElementaryCase,
+    list_elementary,
+    write_bound_script,
+)
+from mechproof.coq.script_comparison import ReadBackError, compare_bound_script
+from mechproof.coq.scripts import ROUNDINGS, read_library
 from mechproof.coq.terms import UnwritableError
 from mechproof.pipeline.bound_scripts import prove_in_coq
 from mechproof.pipeline.bounding import read_boundings

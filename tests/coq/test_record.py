@@ -8,7 +8,7 @@ from pathlib import Path
 
 from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks, write_page
 from mechproof.coq.folder import CERTIFIABLE, RowScript
-from mechproof.coq.libraries import digest_libraries
+from mechproof.coq.scripts import digest_libraries
 from mechproof.ledger.judged import MARKDOWN
 
 GENERATED = Path(__file__).parents[2] / "generated"

@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from mechproof.coq.libraries import LIBRARIES, ROUNDINGS, list_required
-from mechproof.coq.scripts import write_assumptions
+from mechproof.coq.scripts import LIBRARIES, ROUNDINGS, list_required, write_assumptions
 from mechproof.tools.processes import count_processors
 
 # Seconds of a processor for a file; what is recorded as accepted took a third of it at most.

@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from mechproof.coq.checker import ASSUMED, ASSUMED_MODULES, LIMIT, check_files, find_version
 from mechproof.coq.folder import RowScript, list_texts, write_folder
-from mechproof.coq.libraries import digest_libraries
+from mechproof.coq.scripts import digest_libraries
 
 PAGE = "COQ.md"
 RECORD = "coq.json"

@@ -12,16 +12,17 @@ from itertools import pairwise
 from pathlib import Path
 
 from mechproof.coq.families import name_letters
-from mechproof.coq.libraries import (
+from mechproof.coq.proofs import is_the_same
+from mechproof.coq.script_comparison import compare_script
+from mechproof.coq.scripts import (
     LIBRARIES,
     ROUNDINGS,
     digest_required,
     list_required,
     read_library,
+    write_assumptions,
+    write_script,
 )
-from mechproof.coq.proofs import is_the_same
-from mechproof.coq.script_comparison import compare_script
-from mechproof.coq.scripts import write_assumptions, write_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.coq.theorems import Theorem, build_theorems
 from mechproof.ledger.judged import JudgedPaper, classify

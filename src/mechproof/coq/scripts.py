@@ -1,24 +1,189 @@
-"""Theorems -> scripts of Coq: the statement in the paper's letters, and its proof by the rung."""
+"""Theorems -> scripts of Coq: the statement in the paper's letters, and its proof by the rung.
+
+A script requires libraries of lemmas and tactics, each of which requires those before it. Numbers
+that are parts of several statements are written once: every definition comes with a fact, an
+enclosure between decimal fractions, that Coq derives from those of the definitions before it;
+statements over the definitions are then small ones.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from hashlib import sha256
+from importlib.resources import files
+from math import floor
 
+import flint
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.coq.families import has_families, name_letters, write_binders, write_value
-from mechproof.coq.libraries import find_library
 from mechproof.coq.proofs import is_the_same, prove, prove_at_point
-from mechproof.coq.shared import settle, share_parts, write_definitions
 from mechproof.coq.sum_proofs import SumProof
-from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation
+from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation, write_term
 from mechproof.coq.theorems import Theorem
+from mechproof.record.parts import find_free
 
+# From what all scripts require to what few do.
+LIBRARIES = ("Mechproof", "Calculus", "Sums")
+# What scripts on bounds of roundings require, and nothing else.
+ROUNDINGS = "Roundings"
+_NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
+# What a library takes from others and scripts use by its name.
+_EXPORTED = {"Calculus": ("RInt", "is_derive")}
+# A shorter term is written where it stands.
+_SHORTEST = 30
+# Enclosures have so many decimal places, fewer where those of the parts are wider.
+_PLACES = 30
+_BITS = 128
+# Two numbers are related as their difference is to zero, and differ where it has a sign.
+_SETTLE = f"""Ltac settle :=
+  let lies := interval with (i_prec {_BITS}) in
+  intros;
+  repeat match goal with |- _ /\\ _ => split end;
+  first
+    [ lies
+    | apply Rminus_lt; lies
+    | apply Rminus_gt; lies
+    | apply Rminus_le; lies
+    | apply Rminus_ge; lies
+    | apply Rlt_not_eq, Rminus_lt; lies
+    | apply Rgt_not_eq, Rminus_gt; lies
+    | at_point ].
+"""
 # Statements of numbers share their parts in longer scripts.
 PLAIN = 32_000
 # Work limits: Coq reads long statements for minutes, but of definitions many in seconds.
 _LONGEST, _LONGEST_SHARED = 60_000, 240_000
+
+
+@cache
+def read_library(name: str) -> str:
+    """Return the text of a library."""
+    return files(__package__).joinpath(f"{name}.v").read_text(encoding="utf-8")
+
+
+def find_library(text: str) -> str:
+    """Return the last library of which a text uses a name; all before it come with it."""
+    words = set(re.findall(r"\w+", text))
+    used = [name for name in LIBRARIES if words & _list_names(name)]
+    return used[-1] if used else LIBRARIES[0]
+
+
+def list_required(text: str) -> tuple[str, ...]:
+    """Return the libraries that a script requires, by what it says itself."""
+    found = re.search(r"^Require Import (\w+)\.", text, re.MULTILINE)
+    if found and found[1] == ROUNDINGS:
+        return (ROUNDINGS,)
+    return LIBRARIES[: LIBRARIES.index(found[1]) + 1] if found else ()
+
+
+def digest_required(text: str) -> str:
+    """Return the SHA-256 of a script together with all that it requires."""
+    whole = "".join((*map(read_library, list_required(text)), text))
+    return sha256(whole.encode()).hexdigest()
+
+
+def digest_libraries() -> str:
+    """Return the SHA-256 of all libraries of rows."""
+    return sha256("".join(map(read_library, LIBRARIES)).encode()).hexdigest()
+
+
+@cache
+def _list_names(library: str) -> frozenset[str]:
+    return frozenset((*_NAMED.findall(read_library(library)), *_EXPORTED.get(library, ())))
+
+
+def share_parts(relations: Sequence[sp.Basic]) -> Names:
+    """Name both sides, and numbers that occur more than once, those of which others are made first.
+
+    The sides have no free symbols.
+    """
+    found = _Parts()
+    sides = {side for relation in relations for side in relation.args}
+    for relation in relations:
+        found.visit(relation)
+    names: dict[sp.Basic, str] = {}
+    for part in found.order:
+        if (found.counts[part] > 1 or part in sides) and len(write_term(part, names)) >= _SHORTEST:
+            names[part] = f"shared_{len(names) + 1}"
+    return names
+
+
+class _Parts:
+    """Parts from below, and how often each is written where every other is written once."""
+
+    def __init__(self) -> None:
+        self.counts: Counter[sp.Basic] = Counter()
+        self.order: list[sp.Expr] = []
+
+    def visit(self, node: sp.Basic) -> None:
+        """Count a part, and what it is made of when it is met first."""
+        is_inverse = isinstance(node, sp.Pow) and node.exp.is_negative
+        if not is_inverse:
+            self.counts[node] += 1
+        if self.counts[node] > 1 or not node.args or isinstance(node, sp.Integral):
+            return
+        for part in node.args:
+            self.visit(part)
+        if isinstance(node, sp.Expr) and not is_inverse and not find_free(node):
+            self.order.append(node)
+
+
+def write_definitions(names: Names) -> Iterator[str]:
+    """Yield a tactic, and of each part its definition and the fact where it lies.
+
+    Raises `UnwritableError`.
+    """
+    if names:
+        yield _SETTLE
+    known: dict[sp.Basic, str] = {}
+    values: dict[sp.Basic, flint.arb] = {}
+    for part, name in names.items():
+        term = write_term(part, known)
+        letters = {other: sp.Symbol(known[other]) for other in known}
+        low, high, places = _enclose(part.xreplace(letters), values)
+        turn = "turn_vectors; " if "atan2" in term else ""
+        yield (
+            f"Definition {name} : R := {term}.\n"
+            f"Fact {name}_lies : ({low} / 10 ^ {places}) <= {name} <= ({high} / 10 ^ {places}).\n"
+            f"Proof. {_recall(term)}unfold {name}; {turn}interval with (i_prec {_BITS}). Qed.\n"
+        )
+        known[part] = name
+        with balls.working_precision(_BITS):
+            ends = flint.arb(low + high, high - low) / 2
+            values[sp.Symbol(name)] = ends / flint.arb(10) ** places
+
+
+def settle(text: str) -> str:
+    """Write the tactics that prove relations from where the definitions lie that they use."""
+    return f"{_recall(text)}settle."
+
+
+def _recall(text: str) -> str:
+    """Write the tactics that recall where the definitions lie that a text uses."""
+    used = dict.fromkeys(re.findall(r"\bshared_\d+\b", text))
+    return "".join(f"pose proof {name}_lies. " for name in used)
+
+
+def _enclose(part: sp.Expr, values: Mapping[sp.Basic, flint.arb]) -> tuple[int, int, int]:
+    """Return whole numbers below and above a number times a power of ten, and the exponent."""
+    ball = balls.evaluate(part, values, _BITS)
+    if not ball.is_finite():
+        raise UnwritableError("a number in it could not be enclosed")
+    middle, radius = (_to_fraction(end) for end in (ball.mid(), ball.rad()))
+    places = next(n for n in range(_PLACES, -_PLACES, -1) if radius * Fraction(10) ** n < 1)
+    near = floor(middle * Fraction(10) ** places)
+    return near - 2, near + 3, places
+
+
+def _to_fraction(number: flint.arb) -> Fraction:
+    mantissa, exponent = number.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def write_script(title: str, theorems: Sequence[Theorem], plain: int = PLAIN) -> str:

@@ -15,11 +15,15 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
-from mechproof.coq.bound_comparison import compare_bound_script
 from mechproof.coq.checker import BOUND_LIMIT, check_files
-from mechproof.coq.elementary_scripts import ElementaryCase, list_elementary
 from mechproof.coq.folder import write_folder
-from mechproof.coq.rounding_scripts import BoundTheorem, write_bound_script
+from mechproof.coq.rounding_scripts import (
+    BoundTheorem,
+    ElementaryCase,
+    list_elementary,
+    write_bound_script,
+)
+from mechproof.coq.script_comparison import compare_bound_script
 from mechproof.coq.terms import UnwritableError
 from mechproof.pipeline.bounding import Bounding
 from mechproof.roundoff.boxed import Convention, put_in_box
