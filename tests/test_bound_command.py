@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import mechproof
 from mechproof.cli import app
-from mechproof.fpcore.s_expressions import FPCoreError
+from mechproof.fpcore import FPCoreError
 from mechproof.pipeline.pasted import PastedError
 
 CORES = """(FPCore (x) :name "half" :pre (<= 1 x 2) (/ x (+ x 0.1)))

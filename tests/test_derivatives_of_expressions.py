@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.record.symbolic_slopes import differentiate
+from mechproof.record.parts import differentiate
 
 X, Y = sp.symbols("x y", real=True)
 

@@ -43,7 +43,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
         "FPCore": ("fpcore",),
         "comparison": ("comparison",),
     },
-    {"loading": ("chosen", "derivation")},
+    {"loading": ("derivation",)},
     {"tolerance": ("tolerance",)},
     {"mechanisms": ("mechanisms",)},
     {"tailoring": ("tailoring",)},

@@ -17,7 +17,6 @@ SIGNS = {"add", "subtract", "multiply", "divide", "negate"}
 COMPOSED = {kind for kind, row in KINDS.items() if row.meaning} - SIGNS
 ARITHMETICS = {
     "roundoff/running.py": "doubles, in which a meaning would be rounded away, long ones and balls",
-    "roundoff/singles.py": "floats, fused by way of doubles",
     "roundoff/rules.py": "intervals with slopes, in which a square has one side",
     "roundoff/endpoint_rounding.py": "ends of intervals, each operation rounded once, and grids",
     "roundoff/steps.py": "factors that scale all that is computed, what NumPy does by others",
@@ -26,7 +25,8 @@ ARITHMETICS = {
     "roundoff/elementary_errors.py": "what is proved of which function",
     "roundoff/term_sums.py": "what the sum over a set is off by",
     "coq/rounding_scripts.py": "Coq's linear forms of roundings, in which a sum may be fused",
-    "lab/rounding.py": "balls with the errors of doubles",
+    "lab/validation.py": "balls with the errors of doubles",
+    "lab/single_precision_errors.py": "floats, fused by way of doubles",
     "tailoring/taylor_models.py": "series with the errors of doubles",
     "codegen/condition_outputs.py": "two conditions for one",
 }

@@ -1,19 +1,23 @@
 """Where papers come from: the derivations of the package, of a folder, or one of a user.
 
 A derivation is a file `<system>.py`, or a folder `<system>/` whose `__init__.py` binds the paper.
-What begins with an underscore is shared by the papers of a folder and is no system.
+What begins with an underscore is shared by the papers of a folder and is no system. Beside it lie
+chosen forms, `system.forms.json` or `forms.json` in the folder: quantity -> names of rewrites that
+were found, with which its definition is computed. What it ships otherwise is kept as a rival.
 """
 
 from __future__ import annotations
 
 import importlib
 import importlib.util
+import json
 import os
 import re
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from hashlib import sha256
 from importlib.abc import MetaPathFinder
 from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
@@ -23,14 +27,17 @@ from types import CodeType, ModuleType
 from typing import Any, Literal, NoReturn
 
 from mechproof.arguments.scalars import require
-from mechproof.chosen import choose_forms
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
-from mechproof.record import Paper
+from mechproof.programs.rewrites import REWRITES
+from mechproof.record import Form, Paper, Quantity
 from mechproof.statement_domains.dimension_inference import check_derived
-from mechproof.tools.files import import_file
+from mechproof.tools.files import import_file, write_whole
 from mechproof.tools.processes import limit_time
 
+Chosen = Mapping[str, tuple[str, ...]]
+# The key of the form that the derivation itself ships.
+STATED = "as_stated"
 PACKAGE = "mechproof.derivations"
 # Folders that are not the package's get a package name of their own for each load.
 LOADED = "_mechproof_derivations_"
@@ -38,6 +45,62 @@ _numbers = count(1)
 # The module of the paper that was last loaded from a place, and the way back.
 _modules: dict[Path, str] = {}
 _places: dict[str, Path] = {}
+
+
+def find_file(place: Path) -> Path:
+    """Return where the forms of a derivation are kept."""
+    place = place.parent if place.name == "__init__.py" else place
+    return place / "forms.json" if place.is_dir() else place.with_suffix(".forms.json")
+
+
+def read_chosen(place: Path) -> Chosen:
+    """Return what is chosen; ValueError naming the file where it is not what is written there."""
+    file = find_file(place)
+    if not file.is_file():
+        return {}
+    try:
+        kept = json.loads(file.read_text(encoding="utf-8"))
+        chosen = {str(name): tuple(rewrites) for name, rewrites in kept.items()}
+    except (ValueError, TypeError, AttributeError) as error:
+        raise ValueError(f"{file}: {error}; allowed is {{quantity: [rewrites]}}") from error
+    for name, rewrites in chosen.items():
+        if unknown := [r for r in rewrites if r not in REWRITES]:
+            raise ValueError(f"{file}: {name}: {unknown} are none of {sorted(REWRITES)}")
+    return chosen
+
+
+def add_chosen(place: Path, chosen: Chosen) -> Path:
+    """Add to what is chosen, and return the file."""
+    file, known = find_file(place), read_chosen(place)
+    write_whole(file, json.dumps({**known, **chosen}, indent=1, sort_keys=True) + "\n")
+    return file
+
+
+def choose_forms(paper: Paper, place: Path) -> Paper:
+    """Return the paper with the chosen forms shipped; ValueError for one that it does not have."""
+    chosen = read_chosen(place)
+    if unknown := sorted(chosen.keys() - {q.name for q in paper.quantities}):
+        raise ValueError(f"{find_file(place)}: {paper.system} has no quantities {unknown}")
+    if not chosen:
+        return paper
+    quantities = (_choose(q, chosen[q.name]) if q.name in chosen else q for q in paper.quantities)
+    return replace(paper, quantities=tuple(quantities))
+
+
+def describe(rewrites: tuple[str, ...]) -> str:
+    """Name a form by its rewrites."""
+    return ", ".join(name.replace("_", " ") for name in rewrites) or "as defined"
+
+
+def rewrite_definition(quantity: Quantity, rewrites: tuple[str, ...]) -> Form:
+    """Return the form of the definition with rewrites."""
+    return Form(describe(rewrites), quantity.definition, rewrites)
+
+
+def _choose(quantity: Quantity, rewrites: tuple[str, ...]) -> Quantity:
+    stated = (replace(form, key=STATED, charts=()) for form in quantity.shipped)
+    others = (form for form in quantity.rivals if form.key != STATED)
+    return replace(quantity, forms=(rewrite_definition(quantity, rewrites), *stated, *others))
 
 
 class DerivationError(RuntimeError):

@@ -20,6 +20,7 @@ from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar_texts import write_elementary
 from mechproof.codegen.languages import C99, C99_SINGLE
 from mechproof.codegen.syntax import write_program
+from mechproof.lab.single_precision_errors import IN_SINGLES
 from mechproof.programs.elementary.fits import Rational, enclose
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.function_programs import BODIES, build
@@ -27,7 +28,6 @@ from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.operations import HELPER
 from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.running import run as run_steps
-from mechproof.roundoff.singles import IN_SINGLES
 
 FORMATS = (DOUBLE, SINGLE)
 NUMBER: dict[Format, Callable[[float], float]] = {

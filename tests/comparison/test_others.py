@@ -10,7 +10,7 @@ import pytest
 from mechproof.arithmetic.cover import bound_largest
 from mechproof.comparison import fptaylor, gappa
 from mechproof.coq import checker
-from mechproof.fpcore.fpcore_reading import read_cores
+from mechproof.fpcore import read_cores
 from mechproof.pipeline.bounding import read_boundings
 from mechproof.pipeline.bounds_page import HEADS, compare
 from mechproof.roundoff.boxed import BoxedProgram, Convention, put_in_box

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mechproof.fpcore.fpcore_reading import read_cores
-from mechproof.fpcore.s_expressions import DEEPEST, FPCoreError
+from mechproof.fpcore import DEEPEST, FPCoreError, read_cores
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 
 TEXT = """; two of them

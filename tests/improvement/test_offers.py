@@ -17,11 +17,9 @@ import pytest
 import sympy as sp
 from command import run
 
-from mechproof.chosen import find_file, rewrite_definition
-from mechproof.derivation import DerivationError, load_paper
-from mechproof.improvement import candidates as searching
-from mechproof.improvement.candidates import Candidate, draw, measure_loss, search
-from mechproof.improvement.offers import find_offer, prove
+from mechproof import improvement as searching
+from mechproof.derivation import DerivationError, find_file, load_paper, rewrite_definition
+from mechproof.improvement import Candidate, draw, find_offer, measure_loss, prove, search
 from mechproof.lab.sampling.named_sets import TUNE
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.programs import rewrites

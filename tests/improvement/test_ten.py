@@ -10,9 +10,8 @@ from __future__ import annotations
 import pytest
 from weights import make_thorough
 
-from mechproof.chosen import rewrite_definition
-from mechproof.improvement.candidates import Candidate, draw, measure_loss, search
-from mechproof.improvement.offers import prove
+from mechproof.derivation import rewrite_definition
+from mechproof.improvement import Candidate, draw, measure_loss, prove, search
 from mechproof.lab.sampling.named_sets import REPORT, TUNE
 from mechproof.lab.subject import find_subjects
 

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from mechproof.lab.rounding import ENCLOSING, decide, enclose_stage
+from mechproof.lab.validation import ENCLOSING, decide, enclose_stage
 from mechproof.programs.code import Stage
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import KINDS, VIEWS

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.report import kept_formulas
-from mechproof.report.kept_formulas import KeptFormulas
+from mechproof.report import mathml
+from mechproof.report.mathml import KeptFormulas
 from mechproof.tools.cache import VARIABLE, Store
 
 
@@ -44,7 +44,7 @@ def test_another_writer_writes_anew(
     run(written, "x")
     other = tmp_path / "mathml.py"
     other.write_text("another", encoding="utf-8")
-    monkeypatch.setattr(kept_formulas, "WRITERS", (other,))
+    monkeypatch.setattr(mathml, "WRITERS", (other,))
     run(written, "x")
     assert written == ["x", "x"]
 
@@ -60,7 +60,7 @@ def test_what_is_damaged_is_written_anew(written: list[str], tmp_path: Path) -> 
 def test_no_more_than_so_many_are_kept(
     written: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(kept_formulas, "MOST_KEPT", 2)
+    monkeypatch.setattr(mathml, "MOST_KEPT", 2)
     run(written, "x", "y", "z")
     assert len(json.loads((tmp_path / "formulas.json").read_bytes())) == 2
     run(written, "y", "z")

@@ -27,8 +27,7 @@ from mechproof.lab.chart_points import list_workloads
 from mechproof.ledger.cards import PUT, TAKEN
 from mechproof.measured import find_files, read_record
 from mechproof.programs.kernel import build_functions
-from mechproof.report.call_examples import write_sources
-from mechproof.report.formula_texts import LANGUAGES, formula
+from mechproof.report.formula_texts import LANGUAGES, formula, write_sources
 from mechproof.report.mathml import write_formula
 from mechproof.report.pages import read_font, read_stylesheet
 from mechproof.report.pictures import chart, draw_pictures, list_charts

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from mechproof.arithmetic.cover import Largest, bound_largest
-from mechproof.fpcore.fpcore_reading import Core, read_cores
+from mechproof.fpcore import Core, read_cores
 from mechproof.roundoff.boxed import BoxedProgram, Convention, find_worst_input, measure, put_in_box
 
 FILE = Path(__file__).parents[2] / "docs" / "fpbench" / "benchmarks.fpcore"

@@ -11,7 +11,7 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.coq.checker import CheckerError
-from mechproof.fpcore.s_expressions import FPCoreError
+from mechproof.fpcore import FPCoreError
 from mechproof.pipeline import bounding
 from mechproof.pipeline.bound_scripts import DIGITS, prove_in_coq, round_digits
 from mechproof.pipeline.bounds_page import CITED, compare

@@ -9,7 +9,7 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.paths import find_locations, find_places, read_out
+from mechproof.cli.options import find_locations, find_places, read_out
 from mechproof.pipeline.judging import PipelineError
 from mechproof.pipeline.verification import LIMIT
 from mechproof.sources.paper_files import SUFFIXES

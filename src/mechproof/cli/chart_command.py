@@ -10,7 +10,7 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say
-from mechproof.cli.paths import find_locations, find_places
+from mechproof.cli.options import find_locations, find_places
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.measured import MADE_BY, Record, find_all_files, find_files, goes_by, read_record
 

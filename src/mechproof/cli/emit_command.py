@@ -10,7 +10,7 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.paths import Places, find_locations, find_places, read_out
+from mechproof.cli.options import Places, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.pipeline.judging import PipelineError
 from mechproof.tools.files import write_whole

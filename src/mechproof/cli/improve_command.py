@@ -9,11 +9,10 @@ from typing import Annotated
 
 import typer
 
-from mechproof.chosen import add_chosen
 from mechproof.cli import options
 from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.paths import Places, find_places
-from mechproof.derivation import DerivationError
+from mechproof.cli.options import Places, find_places
+from mechproof.derivation import DerivationError, add_chosen
 from mechproof.tools.processes import WorkerError
 
 # Seconds for a quantity.
@@ -61,7 +60,7 @@ def improve(
 
 def offer_forms(names: Sequence[str], places: Places, *, write: bool, limit: float) -> bool:
     """Print a line for each quantity, and keep the forms if told; return whether none failed."""
-    from mechproof.improvement.offers import Offer, find_offers
+    from mechproof.improvement import Offer, find_offers
 
     directory = None if places.is_packaged else places.derivations
     succeeded = True

@@ -12,7 +12,7 @@ import typer
 from mechproof.cli.console import refuse, say
 from mechproof.document.transcription import Transcription
 from mechproof.record import RESERVED
-from mechproof.record.texts import is_name
+from mechproof.record.exactness import is_name
 from mechproof.sources.paper_files import MARKDOWN, SUFFIXES
 from mechproof.tools.files import write_whole
 

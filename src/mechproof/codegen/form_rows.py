@@ -33,8 +33,8 @@ from mechproof.record import (
     Statement,
     Unwritten,
 )
-from mechproof.record.forms import DERIVATIVES, KERNEL
 from mechproof.record.implicit import LEFT, LastIterate
+from mechproof.record.quantities import DERIVATIVES, KERNEL
 from mechproof.record.relations import solve
 
 # Ends the number of the row that says that the rewrites of a form are legal.

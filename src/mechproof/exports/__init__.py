@@ -4,7 +4,7 @@
 - `cut_teeth`: the law of the pair that makes the motion uneven, handed to `ncgears`.
 """
 
-from mechproof.exports.cut_outlines import cut_teeth
+from mechproof.exports.curves import cut_teeth
 from mechproof.exports.export import export
 
 __all__ = ["cut_teeth", "export"]

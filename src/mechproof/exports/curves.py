@@ -1,14 +1,18 @@
 """Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels as CAD takes them.
 
 DXF and SVG have circles and ellipses as such, ovals as closed lines; numbers in CSV are read back
-exactly, those of the motion, too.
+exactly, those of the motion, too. Teeth are cut by ncgears, a young library (alpha) of its own: it
+generates outlines, checks the pair for interference and for errors of the motion, and refuses what
+it cannot cut. What it makes is its own result; nothing of it is proved here.
 """
 
 from __future__ import annotations
 
 import csv
+import os
 from collections.abc import Iterable, Sequence
 from io import StringIO
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
@@ -16,9 +20,10 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.arguments.scalars import check_real, refuse, require
+from mechproof.arguments.scalars import check_count, check_real, refuse, require
 from mechproof.mechanisms import OvalPair, OvalPlanetary
-from mechproof.plot.motion_plot import Planetary
+from mechproof.mechanisms.teeth import find_oval_teeth
+from mechproof.plot.motion_plot import Planetary, check_planetary
 from mechproof.plot.pitch_curve_plot import Wheel, place_wheels
 from mechproof.tools.extras import require_modules
 
@@ -207,3 +212,61 @@ def import_ezdxf() -> ModuleType:
     import ezdxf.units
 
     return ezdxf
+
+
+def cut_teeth(
+    mechanism: Planetary,
+    teeth: int,
+    folder: str | os.PathLike[str],
+    *,
+    a: float | None = None,
+    **options: Any,
+) -> Any:
+    """Cut teeth on the wheels 6 and 3 with ncgears. Needs the extra `cad`.
+
+    Parameters
+    ----------
+    mechanism : EllipticPlanetary or OvalPlanetary
+        Whose wheels; each turns once while the other does.
+    teeth : int
+        Number of teeth of each wheel, at least 3; the module follows: pi*module*teeth is the
+        perimeter of the pitch curve.
+    folder : path
+        Where ncgears writes its files.
+    a : float, optional
+        As for `export`.
+    options
+        Further arguments of `ncgears.generate`, such as `pressure_angle_deg` or `clearance`.
+
+    Returns
+    -------
+    ncgears.GearPair
+        With outlines in mm, `center_distance`, `maximum_transmission_error`, `export_dxf`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For what is not allowed; the message names it.
+    ImportError
+        Without ncgears or SymPy.
+    ncgears.GenerationError
+        What ncgears cannot cut, such as wheels of great eccentricity with few teeth.
+
+    """
+    require_modules("cut_teeth", "cad", ("ncgears", "sympy"))
+    import ncgears
+    import sympy as sp
+
+    check_planetary("mechanism", mechanism)
+    is_path = isinstance(folder, str | os.PathLike)
+    require(is_path, "folder", folder, "must be the path of a folder", TypeError)
+    count = check_count("teeth", teeth, least=3)
+    driver = place_in_mm(mechanism, 0.0, a)[2]
+    phi = sp.Symbol("phi", real=True)
+    x = driver.lobes * phi
+    e = sp.Float(driver.e)
+    # The driver begins at its longest radius, where the driven wheel is fastest.
+    law = phi + 2 * sp.atan(e * sp.sin(x) / (1 - e * sp.cos(x))) / driver.lobes
+    (cut,) = find_oval_teeth(driver.a, driver.e, teeth=(count, count), lobes=driver.lobes)
+    given = {"name": "pair_6_3", "output_directory": str(Path(folder)), **options}
+    return ncgears.generate(law, teeth=count, module=cut.module, **given)

@@ -16,8 +16,8 @@ from mechproof.measured import Kind
 from mechproof.programs.evaluation import entries, result_shape
 from mechproof.programs.kernel import name_rival
 from mechproof.record import Peer, Quantity, Row
-from mechproof.record.forms import KERNEL
 from mechproof.record.implicit import Implicit
+from mechproof.record.quantities import KERNEL
 from mechproof.statement_domains.domain import Domain
 
 Array = NDArray[Any]

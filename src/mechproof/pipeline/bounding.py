@@ -27,8 +27,7 @@ from mechproof.arguments.scalars import (
 from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.cover import Box, bound_largest
 from mechproof.arithmetic.intervals import enclose_ball
-from mechproof.fpcore.fpcore_reading import read_cores
-from mechproof.fpcore.s_expressions import FPCoreError, read_file
+from mechproof.fpcore import FPCoreError, read_cores, read_file
 from mechproof.latex import ReadingError
 from mechproof.latex.errors import TOO_DEEP
 from mechproof.pipeline.pasted import PastedError, read_expression

@@ -13,7 +13,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from mechproof.chosen import find_file
+from mechproof.derivation import find_file
 from mechproof.ledger.costs import LedgerCost
 from mechproof.ledger.judged import Ledger, Origin
 from mechproof.ledger.ledger_findings import LedgerFinding

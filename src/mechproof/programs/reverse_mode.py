@@ -16,8 +16,7 @@ import sympy as sp
 from mechproof.arithmetic.polynomials import factor
 from mechproof.programs.evaluation import KeepsShape, trace_inputs
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
-from mechproof.record.parts import find_free, find_parts
-from mechproof.record.symbolic_slopes import differentiate as differentiate_part
+from mechproof.record.parts import differentiate as differentiate_part, find_free, find_parts
 
 Given = Mapping[sp.Symbol, sp.Expr]
 # In place of the sine and the cosine of an angle.

@@ -13,7 +13,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.signs import is_positive, is_within_quarter_turn
 from mechproof.record import Slack, list_needs
-from mechproof.record.symbolic_slopes import differentiate
+from mechproof.record.parts import differentiate
 from mechproof.statement_domains.domain import Domain
 
 _POLES = 4

@@ -5,7 +5,6 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 `mechproof.codegen`.
 """
 
-from mechproof.record.dimensions import ANGLE, FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Power
 from mechproof.record.exactness import RecordError
 from mechproof.record.expressions import (
     AnyFunction,
@@ -17,14 +16,17 @@ from mechproof.record.expressions import (
     sum_distinct,
 )
 from mechproof.record.findings import Check, Cost, Finding, FollowingRow, Weight
-from mechproof.record.forms import Chart, EmittedForm, Form, Peer
 from mechproof.record.implicit import Root
 from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
     SLOPES,
     Accuracy,
     Argument,
+    Chart,
+    EmittedForm,
+    Form,
     OnePass,
+    Peer,
     Periodicity,
     Quantity,
     Scale,
@@ -62,7 +64,21 @@ from mechproof.record.statements import (
     not_above,
     rounded,
 )
-from mechproof.record.variables import Notation, Part, Scope, Variable, family_of, list_given
+from mechproof.record.variables import (
+    ANGLE,
+    FREQUENCY,
+    LENGTH,
+    NUMBER,
+    SPEED,
+    Dimension,
+    Notation,
+    Part,
+    Power,
+    Scope,
+    Variable,
+    family_of,
+    list_given,
+)
 
 __all__ = [
     "ANGLE",

@@ -9,10 +9,10 @@ from types import MappingProxyType
 
 import sympy as sp
 
+from mechproof.record.exactness import check_name, check_texts
 from mechproof.record.findings import Finding
 from mechproof.record.quantities import OnePass, Quantity
 from mechproof.record.rows import Row
-from mechproof.record.texts import check_name, check_texts
 from mechproof.record.variables import Notation, Part, Variable, list_given
 from mechproof.tools.notebook import Displayed
 

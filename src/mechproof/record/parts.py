@@ -1,4 +1,4 @@
-"""The distinct parts of an expression, and the symbols free in it.
+"""The distinct parts of an expression, the symbols free in it, and its slopes, part by part.
 
 SymPy's own searches meet a part as often as it occurs, and begin anew for each question.
 """
@@ -98,3 +98,21 @@ def find_bound(expression: sp.Basic) -> set[sp.Symbol]:
         for node in nodes
         for symbol in ([node.args[1]] if isinstance(node, sp.Limit) else node.bound_symbols)
     }
+
+
+# Derivatives of a formula by its letters, and of what is made of it, have most parts in common.
+@lru_cache(maxsize=1 << 14)
+def differentiate(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """Return what `sympy.diff` does, which asks of each part anew whether it has the symbol."""
+    if symbol not in find_free(node):
+        return sp.S.Zero
+    if node.is_Add:
+        return sp.Add(*(differentiate(term, symbol) for term in node.args))
+    if node.is_Mul:
+        slopes = [differentiate(factor, symbol) for factor in node.args]
+        changed = [n for n, slope in enumerate(slopes) if slope]
+        terms = ((*node.args[:n], slopes[n], *node.args[n + 1 :]) for n in changed)
+        return sp.Add(*(sp.Mul(*factors) for factors in terms))
+    if node.is_Pow and node.exp.is_Rational:
+        return node * (differentiate(node.base, symbol) * node.exp / node.base)
+    return sp.diff(node, symbol)

@@ -9,8 +9,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from mechproof.record.dimensions import ANGLE, LENGTH, NUMBER, Dimension
-from mechproof.record.variables import Variable
+from mechproof.record.variables import ANGLE, LENGTH, NUMBER, Dimension, Variable
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,17 @@
-"""MathML: a formula of a paper in LaTeX in, an element that every browser shows alike out."""
+"""MathML: a formula of a paper in LaTeX in, an element that every browser shows alike out.
+
+What was written before is kept from one run to the next.
+"""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import cached_property
+from hashlib import sha256
 from html import unescape
 from itertools import pairwise
+from pathlib import Path
 from typing import Literal
 from xml.etree.ElementTree import Element, SubElement, tostring
 
@@ -12,8 +19,13 @@ from latex2mathml.converter import convert_to_element
 from markupsafe import Markup
 
 from mechproof.latex.package_commands import write_out
-from mechproof.report.kept_formulas import FORMULAS
+from mechproof.tools.cache import Store, make_key
 
+# What an entry rests on besides its LaTeX: what writes it.
+WRITERS = tuple(map(Path(__file__).with_name, ("mathml.py", "breaks.py", "formulas.py")))
+PACKAGES = ("latex2mathml", "sympy")
+# More entries are of old papers.
+MOST_KEPT = 10_000
 Display = Literal["block", "inline"]
 # What the elements may carry on; others, as links and styles, are dropped.
 ATTRIBUTES = frozenset({
@@ -36,6 +48,40 @@ OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 # Signs that may belong to a number, and what such a sign stands after.
 SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
 PRIMES = {"′": 1, "″": 2, "‴": 3}
+
+
+class KeptFormulas:
+    """What was written before, by the digest of its LaTeX and of what writes it."""
+
+    def __init__(self, store: Store) -> None:
+        self.store = store
+        self.new: dict[str, str] = {}
+
+    @cached_property
+    def known(self) -> dict[str, str]:
+        """Return what is kept, read once; what is no text is damaged."""
+        return {k: text for k, text in self.store.read().items() if isinstance(text, str)}
+
+    @cached_property
+    def version(self) -> str:
+        """Return the digest of what writes formulas."""
+        return make_key(WRITERS, PACKAGES)
+
+    def find(self, latex: str, display: str, write: Callable[[str, str], str]) -> str:
+        """Return what is known of a formula, else what writes it returns."""
+        key = sha256("\n".join((self.version, display, latex)).encode()).hexdigest()
+        if key not in self.known:
+            self.new[key] = self.known[key] = write(latex, display)
+        return self.known[key]
+
+    def keep(self) -> None:
+        """Keep what is new for the next run."""
+        if self.new:
+            self.store.write(dict(list({**self.store.read(), **self.new}.items())[-MOST_KEPT:]))
+            self.new = {}
+
+
+FORMULAS = KeptFormulas(Store("formulas.json"))
 
 
 def write_formula(latex: str, display: Display = "inline") -> Markup:

@@ -18,8 +18,8 @@ from mechproof.proof.anchors import name_anchors
 from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
-from mechproof.report.call_examples import Sources, list_calls, write_header, write_sources
-from mechproof.report.definitions import goes_on, tell_turned, write_definition, write_given
+from mechproof.report.formula_texts import Sources, list_calls, write_header, write_sources
+from mechproof.report.formulas import goes_on, tell_turned, write_definition, write_given
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose

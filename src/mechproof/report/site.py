@@ -14,7 +14,7 @@ from mechproof.report.judged_derivations import (
     find_source,
     read_records,
 )
-from mechproof.report.kept_formulas import FORMULAS
+from mechproof.report.mathml import FORMULAS
 from mechproof.report.pages import STYLESHEET, read_font, read_stylesheet, render
 from mechproof.report.paper_pages import PaperView, count_totals, describe_paper
 from mechproof.report.phrases import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle

@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from mechproof.arguments.scalars import require
-from mechproof.tolerance.boxes import (
+from mechproof.tolerance.sizes import Size, check_sizes
+from mechproof.tolerance.subdivision import (
     Box,
     Known,
+    Search,
     common_sign,
     find_widest,
     halve,
@@ -22,8 +24,6 @@ from mechproof.tolerance.boxes import (
     put_to_limit,
     to_values,
 )
-from mechproof.tolerance.sizes import Size, check_sizes
-from mechproof.tolerance.subdivision import Search
 
 if TYPE_CHECKING:
     from mechproof.record import Paper, Quantity

@@ -20,9 +20,12 @@ from mechproof.programs.evaluation import Evaluation
 from mechproof.programs.rewrites.clenshaw import clenshaw, in_single
 from mechproof.programs.rewrites.coefficients import name_coefficients
 from mechproof.programs.rewrites.differences import (
+    conjugate_root,
     difference_of_functions,
     difference_of_roots,
+    difference_of_squares,
     expm1_log1p,
+    hypotenuse,
 )
 from mechproof.programs.rewrites.half_angle import (
     cosine_minus_one,
@@ -31,11 +34,6 @@ from mechproof.programs.rewrites.half_angle import (
     small_arc,
 )
 from mechproof.programs.rewrites.low_word import low_product, low_word
-from mechproof.programs.rewrites.square_roots import (
-    conjugate_root,
-    difference_of_squares,
-    hypotenuse,
-)
 from mechproof.programs.rewrites.taylor import taylor
 
 __all__ = ["REWRITES", "apply_rewrites"]

@@ -1,17 +1,21 @@
-"""Differences of two values of a function, and from 1, without the digits that cancel there.
+"""Differences, without the digits that cancel: of values of a function, from 1, of and in squares.
 
 The sums and products of trigonometry turn sin a - sin b, whose digits cancel as a nears b, into a
-product with sin((a - b)/2), whose digits do not; other functions have such theorems, too.
+product with sin((a - b)/2), whose digits do not; other functions have such theorems, too. What
+cancels in roots is multiplied by its conjugate, as in textbooks since Forsythe's on quadratic
+equations (1970); u*u - v*v is (u - v)*(u + v), whose difference is of numbers that were not rounded
+first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from itertools import combinations
 from types import MappingProxyType
 
 import sympy as sp
-from sympy.codegen.cfunctions import expm1, log1p
+from sympy.codegen.cfunctions import expm1, hypot, log1p
 from sympy.codegen.rewriting import expm1_opt, log1p_opt, optimize
 
 from mechproof.programs.evaluation import Evaluation
@@ -89,3 +93,80 @@ def difference_of_roots(evaluation: Evaluation) -> Evaluation:
 def expm1_log1p(evaluation: Evaluation) -> Evaluation:
     """Rewrite exp(u) - 1 -> expm1(u) and log(1 + u) -> log1p(u). Always legal."""
     return evaluation.transform(lambda e: optimize(e, (expm1_opt, log1p_opt)))
+
+
+def hypotenuse(evaluation: Evaluation) -> Evaluation:
+    """Rewrite sqrt(p**2 + q**2 + ...) -> hypot(hypot(p, q), ...).
+
+    No square overflows or underflows. Legal for real p, q.
+    """
+
+    def is_root_of_squares(node: sp.Basic) -> bool:
+        return (
+            is_root(node)
+            and isinstance(node.base, sp.Add)
+            and all(isinstance(a, sp.Pow) and a.exp == 2 for a in node.base.args)
+        )
+
+    def nest(root: sp.Pow) -> sp.Expr:
+        first, *others = sorted((a.base for a in root.base.args), key=sp.default_sort_key)
+        for other in others:
+            first = hypot(first, other)
+        return first
+
+    return evaluation.convert_parts(is_root_of_squares, nest)
+
+
+def conjugate_root(evaluation: Evaluation) -> Evaluation:
+    """Rewrite u + sqrt(v) -> q where u >= 0, else (v - u**2)/q.
+
+    q = hypot(sqrt(v - u**2), u) + |u|, and v - u**2 is brought to a product, squares of sines
+    having become cosines. No cancellation where u < 0 and sqrt(v) is near -u.
+    Legal for real u where v - u**2 >= 0; where both vanish, so does q, and u >= 0.
+    """
+    factors = Factors(evaluation)
+    legal: list[sp.Basic] = []
+
+    def is_sum_with_root(node: sp.Basic) -> bool:
+        return is_sum(node) and sum(map(is_root, node.args)) == 1
+
+    @cache
+    def convert(node: sp.Add) -> sp.Expr:
+        (root,) = filter(is_root, node.args)
+        u, w, q = (evaluation.new_symbol(name, factors.steps) for name in "uwq")
+        value = node - root
+        difference = (root.base - value**2).replace(
+            lambda a: isinstance(a, sp.Pow) and a.exp == 2 and isinstance(a.base, sp.sin),
+            lambda a: 1 - sp.cos(a.base.args[0]) ** 2,
+        )
+        product = factors.name_sums(sp.expand(difference))
+        legal.append(sp.Ge(sp.expand(difference), 0))
+        factors.steps.extend([(u, value), (w, product), (q, hypot(sp.sqrt(w), u) + sp.Abs(u))])
+        return sp.Piecewise((q, u >= 0), (w / q, True))
+
+    return evaluation.convert_parts(is_sum_with_root, convert, factors.steps).oblige(legal)
+
+
+def difference_of_squares(evaluation: Evaluation) -> Evaluation:
+    """Rewrite a**2 - b**2 -> (a - b)*(a + b); no rounded square is subtracted. Always legal."""
+    factors = Factors(evaluation)
+
+    def is_difference(node: sp.Basic) -> bool:
+        if not (is_sum(node) and len(node.args) == 2):
+            return False
+        negative = [term.could_extract_minus_sign() for term in node.args]
+        return sum(negative) == 1 and all(
+            _is_square(-t if n else t) for t, n in zip(node.args, negative, strict=True)
+        )
+
+    return evaluation.convert_parts(is_difference, factors.name_sums, factors.steps)
+
+
+def _is_square(term: sp.Expr) -> bool:
+    if term.is_Rational:
+        return bool(sp.sqrt(term).is_rational)
+    try:
+        number, factors = sp.factor_list(term)
+    except sp.PolynomialError:
+        return False
+    return bool(sp.sqrt(number).is_rational) and all(power % 2 == 0 for _, power in factors)
