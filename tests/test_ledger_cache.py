@@ -17,8 +17,7 @@ from mechproof.pipeline import ledger_cache, verification
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.verification import find_ledgers
 from mechproof.proof.verdict import Verdict
-from mechproof.tools.cache import VARIABLE
-from mechproof.tools.reads import HERE, _find_helpers, list_program
+from mechproof.tools.cache import HERE, VARIABLE, _find_helpers, list_program
 
 HEAD = """
 import os, sys, time
@@ -146,7 +145,7 @@ def test_the_program_is_all_of_the_package_but_papers_and_kernels() -> None:
     assert {
         "latex/expansion.py",
         "codegen/templates/numpy_module.py.jinja",
-        "tools/reads.py",
+        "tools/cache.py",
     } <= files
     assert not [name for name in files if name.startswith(("derivations/", "kernels/"))]
 

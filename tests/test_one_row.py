@@ -27,7 +27,7 @@ ARITHMETICS = {
     "coq/rounding_scripts.py": "Coq's linear forms of roundings, in which a sum may be fused",
     "lab/validation.py": "balls with the errors of doubles",
     "lab/single_precision_errors.py": "floats, fused by way of doubles",
-    "tailoring/taylor_models.py": "series with the errors of doubles",
+    "tailoring/model.py": "series with the errors of doubles",
     "codegen/condition_outputs.py": "two conditions for one",
 }
 

@@ -23,9 +23,8 @@ import numpy as np
 from mechproof.codegen.form_rows import form_rows, number_shipped
 from mechproof.derivation import rewrite_definition
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.error import ALL_BITS, Errors, find_errors
 from mechproof.lab.extended_oracle import name_values
-from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.oracle import ALL_BITS, Errors, Truth, find_errors, find_truth
 from mechproof.lab.sampling.named_sets import REPORT, TUNE, choose_evenly, join
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Array, Compute

@@ -23,9 +23,8 @@ from mechproof.codegen.backends.numba import render_compiled
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.c_names import WORDS
 from mechproof.programs.kernel import list_functions
-from mechproof.programs.scalar import list_arguments, list_scalars, list_stages
+from mechproof.programs.scalar import fold_sums, list_arguments, list_scalars, list_stages
 from mechproof.programs.step_names import PUBLIC, PUBLIC_IN_MODULES, is_free
-from mechproof.programs.term_loops import fold_sums
 from mechproof.record import Paper
 
 # Papers whose sources have loops, sums, matrices, several forms and results in one pass.

@@ -13,8 +13,7 @@ from mechproof.programs.evaluation import Evaluation, arrange, entries, map_entr
 from mechproof.programs.lowering import FUNCTIONS
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.rewrites import REWRITES, apply_rewrites
-from mechproof.programs.step_names import suggest_name
-from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.programs.step_names import share_subexpressions, suggest_name
 
 # Functions that exist for their rounding, and what the operations are that they become.
 ROUNDED = [

@@ -36,8 +36,8 @@ from sympy import (
 
 from mechproof.coq import checker
 from mechproof.coq.checker import check_files, find_assumptions
-from mechproof.coq.families import give_laws, list_letters
 from mechproof.coq.scripts import LIBRARIES, PLAIN, read_library, write_script
+from mechproof.coq.terms import give_laws, list_letters
 from mechproof.coq.theorems import Theorem
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Coq is not installed")

@@ -6,8 +6,15 @@ import json
 from html import escape
 from pathlib import Path
 
-from mechproof.coq.coverage import PAGE, RECORD, Coverage, read_checks, write_page
-from mechproof.coq.folder import CERTIFIABLE, RowScript
+from mechproof.coq.folder import (
+    CERTIFIABLE,
+    PAGE,
+    RECORD,
+    Coverage,
+    RowScript,
+    read_checks,
+    write_page,
+)
 from mechproof.coq.scripts import digest_libraries
 from mechproof.ledger.judged import MARKDOWN
 

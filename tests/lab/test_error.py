@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from mechproof.kernel_support.order import step_ulps
-from mechproof.lab.error import ALL_BITS, find_errors, summarise
-from mechproof.lab.oracle import Truth
+from mechproof.lab.oracle import ALL_BITS, Truth, find_errors, summarise
 from mechproof.lab.sampling.named_sets import draw_ladder
 
 

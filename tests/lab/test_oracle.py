@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from weights import first_of
 
-from mechproof.lab.error import find_errors, summarise
-from mechproof.lab.oracle import find_truth
+from mechproof.lab.oracle import find_errors, find_truth, summarise
 from mechproof.lab.sampling.named_sets import REPORT, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects

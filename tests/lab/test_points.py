@@ -13,8 +13,7 @@ from weights import first_of
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.derivations.elliptic_planetary.mechanics import R1, R2, e, phi1, x
 from mechproof.kernel_support.order import step_ulps
-from mechproof.lab.error import find_errors
-from mechproof.lab.oracle import find_truth
+from mechproof.lab.oracle import find_errors, find_truth
 from mechproof.lab.sampling.draws import draw_mixed
 from mechproof.lab.sampling.named_sets import REPORT, TUNE, draw_points
 from mechproof.lab.sampling.singular_points import list_point_sets

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from weights import first_of
 
-from mechproof.lab.error import Errors, find_errors
-from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.oracle import Errors, Truth, find_errors, find_truth
 from mechproof.lab.sampling.named_sets import REPORT, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects

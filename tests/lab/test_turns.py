@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from ways import draw_set, find_subject, find_way, truth_of
 
-from mechproof.lab.error import find_errors
+from mechproof.lab.oracle import find_errors
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.ways import Array
 

@@ -11,7 +11,7 @@ from ways import find_subject, find_way, run, truth_of
 
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.error import Errors, find_errors
+from mechproof.lab.oracle import Errors, find_errors
 from mechproof.lab.ways import Arguments
 
 CHAIN = ("position", "velocity", "sensitivities")

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from quantities import find_subject
 
-from mechproof.lab.error import Errors, find_errors, summarise
-from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.oracle import Errors, Truth, find_errors, find_truth, summarise
 from mechproof.lab.sampling.named_sets import REPORT, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.ways import Arguments, Way

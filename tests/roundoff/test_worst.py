@@ -16,9 +16,8 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import RoundingClaim
-from mechproof.roundoff.chart_membership import find_membership
 from mechproof.roundoff.computed_stages import ComputedStage
-from mechproof.roundoff.regions import ChartRegion, list_regions
+from mechproof.roundoff.regions import ChartRegion, find_membership, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.worst import WorstRounding, draw, estimate, find_worst, judge, measure
 

@@ -24,10 +24,9 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tailoring import tailor
 from mechproof.tailoring.build import Built, build
 from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose
-from mechproof.tailoring.model import Model, Piece
+from mechproof.tailoring.model import Model, Piece, track
 from mechproof.tailoring.request import Request, read_request
 from mechproof.tailoring.tailored import NUMPY, Tailored, make_kernel
-from mechproof.tailoring.taylor_models import track
 
 Array = NDArray[np.float64]
 LINKAGE = {

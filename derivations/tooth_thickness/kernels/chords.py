@@ -3,13 +3,13 @@
 from dataclasses import replace
 from functools import partial
 
+import sympy as sp
 from sympy import Abs, Eq, Rational, S, cos, pi, sin, tan
 
-from mechproof.record import Argument, Form, Part, Quantity, Singular
+from mechproof.record import Argument, Chart, Form, Part, Quantity, Singular
 
 from ..mechanics import *
 from . import bounds
-from .charts import DEPTH_NEGATED, DEPTHS, ERRORS, ERRORS_NEGATED, FLANK_CHARTS, RACK, SHALLOW
 
 MODULE_ARGUMENT = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH_ARGUMENT = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))
@@ -61,6 +61,58 @@ LINEAR = 2 * dh * tan(alpha)
 ERROR = 2 * tan(alpha) * (dh_gauge - e_tip / 2)
 SHIPPED = "along and across the first tangent"
 SOURCE = "paper on tooth thickness"
+
+# A profile angle is less than pi/4.
+UP_TO = sp.Rational(11, 14)
+WHERE = f"alpha <= {UP_TO}"
+ANGLES, LENGTHS, SIGNED = (
+    {alpha: sp.Interval(0, UP_TO)},
+    sp.Interval(0, sp.oo),
+    sp.Interval(-sp.oo, sp.oo),
+)
+RACK = (Chart(WHERE, {m: m, alpha: alpha}, {m: LENGTHS, **ANGLES}),)
+DEPTHS = (Chart(WHERE, {dh: dh, alpha: alpha}, {dh: SIGNED, **ANGLES}),)
+
+# Of two errors of which either is larger one is a share of the other; the larger one is not
+# negative, but for the signs of both.
+SHARE = sp.Symbol("share")
+
+
+def by_larger(larger: sp.Symbol, smaller: sp.Symbol, most: sp.Expr) -> Chart:
+    """Make the chart of two errors, one at most so many times the other."""
+    arguments = {larger: larger, smaller: most * larger * SHARE, alpha: alpha}
+    return Chart(WHERE, arguments, {larger: LENGTHS, SHARE: sp.Interval(-1, 1), **ANGLES})
+
+
+ERRORS_NEGATED = ((e_tip, dh_gauge),)
+ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, sp.Rational(1, 2)))
+
+# Wheels with many teeth are those with a small inverse of their number.
+INVERSE = sp.Symbol("1/z", positive=True)
+
+
+def tilt_chart(side: sp.Expr) -> Chart:
+    """Make the chart of tilts to one side."""
+    arguments = {tilt: side, m: m, z: 1 / INVERSE, alpha: alpha}
+    within = {m: LENGTHS, INVERSE: sp.Interval(0, 1), **ANGLES, tilt: sp.Interval(0, 1)}
+    return Chart(f"|tilt| <= 1 and {WHERE}", arguments, within)
+
+
+FLANK_CHARTS = (tilt_chart(tilt), tilt_chart(-tilt))
+
+# A depth may be this share of the module at least before the chord is at the base circle.
+DEPTH = sp.Symbol("|dh|/m")
+SHALLOW = Chart(
+    f"1/4 <= {WHERE} and |dh| <= 3/16*m",
+    {dh: m * DEPTH, m: m, z: 1 / INVERSE, alpha: alpha},
+    {
+        m: LENGTHS,
+        INVERSE: sp.Interval(0, 1),
+        alpha: sp.Interval(sp.Rational(1, 4), UP_TO),
+        DEPTH: sp.Interval(0, sp.Rational(3, 16)),
+    },
+)
+DEPTH_NEGATED = ((dh,),)
 
 
 def handbook(factor: str) -> Form:

@@ -15,7 +15,7 @@ from mechproof.ledger.cards import make_card
 from mechproof.ledger.judged import COUNTED, PLAIN, Ledger, classify, show_totals, sort_findings
 from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
-from mechproof.record.findings import WEIGHTS
+from mechproof.record.papers import WEIGHTS
 
 STYLES = {
     Verdict.PROVED: "green",

@@ -1,21 +1,109 @@
-"""Regenerate: in, papers; out, the files of the generated package."""
+"""Regenerate: in, papers; out, the files of the generated package.
+
+Types of kernels, which compiled ones have, too, have files of their own: each function is typed
+three times, with its arguments by name.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
+from typing import NamedTuple
 
 from mechproof.codegen.backends.numba import render_compiled, render_elementary
 from mechproof.codegen.backends.numpy import (
     DERIVATIVES,
+    REGENERATED,
     render_derivatives,
     render_init,
     render_modules,
+    render_python,
 )
-from mechproof.codegen.backends.stubs import render_stubs
-from mechproof.record import Paper
+from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.record import Argument, Paper
 
+SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "builtins": ("float", "tuple"),
+        "typing": ("TypeAlias", "overload"),
+        "numpy": ("float64",),
+        "mechproof.kernel_support.facts": ("Condition", "Sizes"),
+    }
+)
+# What modules have beside functions, and what their types are made from.
+HEADER = (
+    "DOMAIN: _tuple[_Condition, ...]",
+    "PUBLISHED: _tuple[_Sizes, ...]",
+    "_Floats: _TypeAlias = _float | NDArray[_float64]",
+)
+OUT = "_Out: _TypeAlias = NDArray[Any] | None"
 # Lists the files of the generated package, so that the next run knows what it may replace.
 LIST = "mechproof-generated.sha256"
+
+
+class Signature(NamedTuple):
+    """The types of all arguments, of `out` where that may be given, and of the result."""
+
+    takes: str
+    out: str
+    gives: str
+
+
+# Lists, single precision, arrays of other packages; the type does not tell what they give.
+ANY = Signature("ArrayLike", "_Out", "Any")
+NUMBERS = (
+    Signature("_float", "", "_float64"),
+    Signature("_Floats", "", "NDArray[_float64]"),
+    ANY,
+)
+ARRAYS = (Signature("ArrayLike", "_Out", "NDArray[Any]"),)
+
+
+class StubFunction(NamedTuple):
+    """What is printed of a function."""
+
+    name: str
+    arguments: tuple[Argument, ...]
+    signatures: tuple[Signature, ...]
+
+
+def render_stubs(paper: Paper) -> dict[str, str]:
+    """Render the stubs of a paper's kernels by the names of their files, empty without any."""
+    kernels = {kernel.name: kernel for kernel in list_functions(paper) if kernel.is_shipped}
+    if not kernels:
+        return {}
+    functions = [_describe(kernel) for kernel in kernels.values()]
+    passes = [
+        StubFunction(one.name, kernels[one.quantities[0]].quantity.arguments, ARRAYS)
+        for one in paper.one_pass
+    ]
+    system = paper.system
+    own = (OUT,) if passes else ()
+    return {
+        f"{system}.pyi": _render(system, functions, header=(*HEADER, OUT)),
+        f"compiled/{system}.pyi": _render(system, passes, header=own, beside=system),
+    }
+
+
+def _describe(kernel: Kernel) -> StubFunction:
+    # A sum over all axes that there are is a number, one over the last of several is none.
+    of_one = (ANY,) if kernel.code.axes else NUMBERS
+    return StubFunction(
+        kernel.name, kernel.quantity.arguments, ARRAYS if kernel.code.shape else of_one
+    )
+
+
+def _render(
+    system: str, functions: Sequence[StubFunction], *, header: Sequence[str], beside: str = ""
+) -> str:
+    """Render a stub, with all that is in the one beside it."""
+    data: dict[str, object] = {
+        "docstring": (f"Types of the kernels of `{system}`.", "", REGENERATED),
+        "header": header,
+        "beside": beside,
+        "functions": functions,
+    }
+    return render_python("stub.pyi.jinja", data, SUPPORT)
 
 
 def render_package(papers: Iterable[Paper], *, is_own: bool = False) -> dict[str, str]:

@@ -18,7 +18,6 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.coq.derivative_proofs import find_variable, prove_by_derivative, prove_slope
-from mechproof.coq.families import has_families
 from mechproof.coq.first_tactics import EstablishedFacts, introduce, turn_right
 from mechproof.coq.sign_proofs import (
     BITS,
@@ -29,7 +28,7 @@ from mechproof.coq.sign_proofs import (
     write_product,
 )
 from mechproof.coq.slope_statements import states_slope
-from mechproof.coq.terms import Names, write_relation, write_term
+from mechproof.coq.terms import Names, has_families, write_relation, write_term
 from mechproof.coq.theorems import Theorem
 from mechproof.record.parts import find_parts, find_roots, replace_parts
 from mechproof.statement_domains.domain import Point

@@ -22,7 +22,6 @@ from flint import arb
 from mechproof.arithmetic.ball_functions import FUNCTIONS
 from mechproof.arithmetic.balls import Ball, evaluate, to_ball, working_precision
 from mechproof.coq.coq_reading import ROUNDED, Joined, Read, ReadStatement, read_script
-from mechproof.coq.families import find_ranks, find_wholes
 from mechproof.coq.rounding_scripts import (
     CALLED,
     BoundTheorem,
@@ -30,7 +29,7 @@ from mechproof.coq.rounding_scripts import (
     Range,
     name_letter,
 )
-from mechproof.coq.terms import Names, name_symbols
+from mechproof.coq.terms import Names, find_ranks, find_wholes, name_symbols
 from mechproof.coq.theorems import Theorem, is_true
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.statement_domains.domain import Point

@@ -21,10 +21,19 @@ import flint
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.coq.families import has_families, name_letters, write_binders, write_value
 from mechproof.coq.proofs import is_the_same, prove, prove_at_point
 from mechproof.coq.sum_proofs import SumProof
-from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_relation, write_term
+from mechproof.coq.terms import (
+    Names,
+    UnwritableError,
+    has_families,
+    name_letters,
+    name_symbols,
+    write_binders,
+    write_relation,
+    write_term,
+    write_value,
+)
 from mechproof.coq.theorems import Theorem
 from mechproof.record.parts import find_free
 

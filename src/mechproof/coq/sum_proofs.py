@@ -13,9 +13,15 @@ from itertools import count, permutations
 
 import sympy as sp
 
-from mechproof.coq.families import name_letters, write_at
 from mechproof.coq.first_tactics import introduce
-from mechproof.coq.terms import Names, UnwritableError, name_symbols, write_term
+from mechproof.coq.terms import (
+    Names,
+    UnwritableError,
+    name_letters,
+    name_symbols,
+    write_at,
+    write_term,
+)
 from mechproof.coq.theorems import Theorem
 from mechproof.record.parts import find_free, find_parts
 

@@ -14,9 +14,18 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
-from mechproof.coq.families import find_wholes, give_laws, list_letters, name_letters, write_at
 from mechproof.coq.slope_statements import differentiate_alike
-from mechproof.coq.terms import UnwritableError, list_integrals, list_needs, write_relation
+from mechproof.coq.terms import (
+    UnwritableError,
+    find_wholes,
+    give_laws,
+    list_integrals,
+    list_letters,
+    list_needs,
+    name_letters,
+    write_at,
+    write_relation,
+)
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Conjunction,

@@ -15,8 +15,7 @@ import numpy as np
 
 from mechproof.executors import BALLS, run_in_order
 from mechproof.lab.accuracy_domain import bound_approximation, mark_accuracy_domain
-from mechproof.lab.error import find_errors, summarise
-from mechproof.lab.oracle import Truth, count_points, find_truth
+from mechproof.lab.oracle import Truth, count_points, find_errors, find_truth, summarise
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sampling.usual_sizes import Sides

@@ -32,9 +32,8 @@ from mechproof.lab.chart_points import (
     list_workloads,
     write_headline,
 )
-from mechproof.lab.error import find_errors
 from mechproof.lab.labels import LOOKS, draw_mark, draw_panel, name_marks, set_signs, set_ticks
-from mechproof.lab.oracle import find_truth
+from mechproof.lab.oracle import find_errors, find_truth
 from mechproof.lab.record_tables import find_searched, tell_proved, tell_where
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, draw_points
 from mechproof.lab.sampling.point_sets import list_sweeps

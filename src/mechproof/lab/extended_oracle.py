@@ -24,7 +24,7 @@ from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Program
 from mechproof.programs.rewrites import apply_rewrites
-from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.programs.step_names import share_subexpressions
 from mechproof.record import Quantity
 from mechproof.record.relations import find_slack
 from mechproof.roundoff.running import DIGITS_OF, IN_EXTENDED, IS_LONGER, LONG_DOUBLE, Values, run

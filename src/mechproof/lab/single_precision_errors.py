@@ -16,8 +16,8 @@ import numpy as np
 import sympy as sp
 
 from mechproof.codegen.docstrings import tell_bound
-from mechproof.lab.error import EPS
 from mechproof.lab.extended_oracle import extend
+from mechproof.lab.oracle import EPS
 from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, join
 from mechproof.lab.sampling.stated_sizes import MARGIN
 from mechproof.lab.subject import Subject, make_subjects
@@ -29,8 +29,14 @@ from mechproof.programs.elementary.formats import DOUBLE, SINGLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
-from mechproof.programs.scalar import list_arguments, list_scalars, list_stages, name_domain
-from mechproof.programs.term_loops import ADDED, fold_sums
+from mechproof.programs.scalar import (
+    ADDED,
+    fold_sums,
+    list_arguments,
+    list_scalars,
+    list_stages,
+    name_domain,
+)
 from mechproof.record import Paper
 from mechproof.roundoff.climb import (
     BY_BALLS,

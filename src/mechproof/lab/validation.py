@@ -29,8 +29,7 @@ from mechproof.arithmetic.intervals import LEAST_NORMAL
 from mechproof.codegen.source_reading import TranslationError
 from mechproof.kernel_support import blocks
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.error import find_errors
-from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
+from mechproof.lab.oracle import Truth, count_points, find_errors, find_truth, list_values
 from mechproof.lab.sampling.named_sets import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject

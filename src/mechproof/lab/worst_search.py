@@ -14,9 +14,8 @@ from functools import partial
 import numpy as np
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.error import find_errors
 from mechproof.lab.extended_oracle import extend
-from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.oracle import Truth, find_errors, find_truth
 from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject

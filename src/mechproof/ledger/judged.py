@@ -16,7 +16,7 @@ from mechproof.proof.equation_ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
-from mechproof.record.findings import WEIGHTS
+from mechproof.record.papers import WEIGHTS
 from mechproof.tools.notebook import Displayed
 
 # The `$id` of ledger.schema.json, which lies beside this module.

@@ -29,7 +29,7 @@ from mechproof.record import (
     Row,
     Weight,
 )
-from mechproof.record.findings import WEIGHTS
+from mechproof.record.papers import WEIGHTS
 from mechproof.sources.located_text import Place
 from mechproof.statement_domains.domain import Domain
 

@@ -21,8 +21,7 @@ from mechproof.ledger.verdict_cache import UNREAD, read_judgement
 from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.record import Weight
 from mechproof.sources.located_text import Place
-from mechproof.tools.cache import Store, name_place
-from mechproof.tools.reads import are_unchanged, digest_program
+from mechproof.tools.cache import Store, are_unchanged, digest_program, name_place
 
 
 class LedgerCache:

@@ -19,7 +19,7 @@ from mechproof.derivation import DerivationError, load_paper
 from mechproof.ledger.ledger_findings import follower_rows
 from mechproof.programs.reverse_mode import select_wanted
 from mechproof.record import Paper, Quantity, Row
-from mechproof.tools.reads import digest_program
+from mechproof.tools.cache import digest_program
 
 
 @dataclass(frozen=True)

@@ -12,11 +12,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from mechproof.coq.checker import RECORD_LIMIT, CheckerError
-from mechproof.coq.coverage import Coverage, check_folder, keep_record, read_known, read_refused
 from mechproof.coq.folder import (
     CERTIFIABLE,
+    Coverage,
     RowScript,
+    check_folder,
+    keep_record,
     list_texts,
+    read_known,
+    read_refused,
     withhold,
     write_folder,
     write_row_script,

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from mechproof.codegen.form_rows import read_derivatives_back
 from mechproof.codegen.regenerate import LIST, render_package
-from mechproof.coq.coverage import read_checks
+from mechproof.coq.folder import read_checks
 from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.lab import measure as measuring
 from mechproof.lab.record_tables import PAGE, headline, list_lines, select_claims

@@ -22,8 +22,8 @@ from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Paper, Row
 from mechproof.sources.paper_files import BESIDE, SUFFIXES
+from mechproof.tools.cache import digest_files, note_reads
 from mechproof.tools.processes import START, WorkerError, run_batches
-from mechproof.tools.reads import digest_files, note_reads
 
 R = TypeVar("R", Judgement, Row)
 # Seconds for a row; beyond, something hangs.

@@ -31,8 +31,7 @@ from mechproof.programs.evaluation import (
 from mechproof.programs.lowering import KNOWN, lower_conditions, lower_steps
 from mechproof.programs.program import NOTHING
 from mechproof.programs.rewrites import apply_rewrites
-from mechproof.programs.step_names import PUBLIC_IN_MODULES, is_free
-from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.programs.step_names import PUBLIC_IN_MODULES, is_free, share_subexpressions
 from mechproof.record import Argument, Form, Paper, Quantity
 
 

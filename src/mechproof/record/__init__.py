@@ -15,9 +15,18 @@ from mechproof.record.expressions import (
     ValueWhere,
     sum_distinct,
 )
-from mechproof.record.findings import Check, Cost, Finding, FollowingRow, Weight
 from mechproof.record.implicit import Root
-from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
+from mechproof.record.papers import (
+    RESERVED,
+    Check,
+    Cost,
+    Finding,
+    FollowingRow,
+    Paper,
+    PublishedSizes,
+    Toleranced,
+    Weight,
+)
 from mechproof.record.quantities import (
     SLOPES,
     Accuracy,

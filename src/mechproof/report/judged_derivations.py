@@ -8,7 +8,7 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from mechproof.coq.coverage import read_checks
+from mechproof.coq.folder import read_checks
 from mechproof.derivation import packaged_directory
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.measured import KERNELS, Record, find_all_files, read_record

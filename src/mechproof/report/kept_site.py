@@ -16,8 +16,7 @@ from pathlib import Path
 from mechproof.measured import KERNELS
 from mechproof.report.judged_derivations import find_generated
 from mechproof.report.site import Share, Site
-from mechproof.tools.cache import Store, make_key, name_place
-from mechproof.tools.reads import digest_program
+from mechproof.tools.cache import Store, digest_program, make_key, name_place
 
 # What is generated for readers, and lists of files: no page is made from it.
 UNSHOWN = frozenset({".md", ".sha256", ".pyc"})

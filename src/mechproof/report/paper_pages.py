@@ -16,7 +16,7 @@ from mechproof.proof.anchors import find_only_equation, name_anchors, name_equat
 from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement, Left
 from mechproof.record import Equality, Paper, Row, Variable
-from mechproof.record.findings import WEIGHTS
+from mechproof.record.papers import WEIGHTS
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of

@@ -17,10 +17,9 @@ from mechproof.lab.chart import STYLE, draw_chart, draw_panels, tell_how, write_
 from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import KERNELS, Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
-from mechproof.tools.cache import Store, make_key
+from mechproof.tools.cache import HERE, Store, list_program, make_key
 from mechproof.tools.json_rows import write_lines
 from mechproof.tools.processes import WorkerError, run_tasks
-from mechproof.tools.reads import HERE, list_program
 
 # Seconds for a picture; beyond, something hangs.
 LIMIT = 300.0

@@ -31,7 +31,13 @@ from mechproof.arithmetic.intervals import (
 from mechproof.programs.operations import COMPARISONS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
-from mechproof.roundoff.condition_numbers import CarriedConditions, find_condition_numbers
+from mechproof.roundoff.condition_numbers import (
+    CarriedConditions,
+    RoundedStep,
+    find_condition_numbers,
+    spread,
+    take_least,
+)
 from mechproof.roundoff.endpoint_rounding import (
     NO_GRID,
     Grid,
@@ -51,7 +57,6 @@ from mechproof.roundoff.error_tables import ErrorTable
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rules import RULES, Slopes, enclose_rest
 from mechproof.roundoff.running import IN_DOUBLES, find_number
-from mechproof.roundoff.spreading import RoundedStep, spread, take_least
 from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, HALF, RESTS, Step, StraightLineProgram
 
 # Of the errors of numbers.

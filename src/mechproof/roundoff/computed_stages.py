@@ -26,12 +26,17 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm
 from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.branches import Branch, list_branches
-from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import find_compensated, find_scaled
 from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.interval_monomials import bound_in_groups
-from mechproof.roundoff.regions import ChartRegion, add_up, express
+from mechproof.roundoff.regions import (
+    ChartMembership,
+    ChartRegion,
+    add_up,
+    express,
+    find_membership,
+)
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import (
     CHOICE,

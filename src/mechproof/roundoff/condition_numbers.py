@@ -1,23 +1,31 @@
-"""Condition numbers: by what share of a scale an output moves with a step moved by a share.
+"""Shares: what a rounding adds in shares of a scale, by condition numbers and term by term.
 
-Of products and quotients they are 1 and -1, and a sum has each term once: carried from the output
-back to a step (Bauer 1974), they lose nothing to how wide a box is where only these are passed. A
-slope, a value and the inverse of a scale over a box do, each of which is known to a box apart.
+By what share of a scale an output moves with a step moved by a share is its condition number. Of
+products and quotients they are 1 and -1, and a sum has each term once: carried from the output back
+to a step (Bauer 1974), they lose nothing to how wide a box is where only these are passed. A slope,
+a value and the inverse of a scale over a box do, each of which is known to a box apart.
+
+Errors a1, a2, ... of which some are at most shares of one term of a sum and others of another add
+up, over the sum, to the largest total that a term has, whatever the terms are beside each other. So
+where terms vanish together, no quotient of theirs is needed. It is a backward error (Higham 2002,
+chapter 1): every rounding is a change of one term.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 
+import numpy as np
 import sympy as sp
 
-from mechproof.arithmetic.intervals import EPS, ONE, Ends, Interval, around, exactly
+from mechproof.arithmetic.intervals import EPS, ONE, Array, Ends, Interval, around, exactly
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import Operand
 from mechproof.roundoff.interval_monomials import IntervalMonomial
-from mechproof.roundoff.rules import SOME
-from mechproof.roundoff.steps import CHOICE
+from mechproof.roundoff.rules import SOME, Slopes
+from mechproof.roundoff.steps import CHOICE, Step
 
 SUMS = ("add", "subtract", "fma")
 # Which operand is taken may not be known: by that it is 1, by the other 0.
@@ -107,3 +115,92 @@ def _find_share(term: IntervalMonomial, other: IntervalMonomial) -> Interval:
     # not.
     of_rest = (ONE + (other / term).expanded()).inverted()
     return of_rest.intersection(ONE - (ONE + (term / other).expanded()).inverted())
+
+
+@dataclass
+class RoundedStep:
+    """The value of a step before its rounding, its slopes, and the size of its rounding."""
+
+    step: Step
+    exact: IntervalMonomial
+    slopes: Slopes
+    relative: Ends
+    absolute: Ends | None
+    # Of a number that is no double, what its rounding is, with its sign, as a share of itself.
+    known: Interval | None = None
+
+    def weigh(
+        self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]
+    ) -> list[Ends]:
+        """Bound what it adds in eps of each of some scales.
+
+        The slopes are those of an output over each scale, the conditions its condition numbers.
+        """
+        share, absolute = self.relative / EPS, None
+        if self.absolute is not None:
+            absolute = self.absolute / EPS
+            least = self.exact.expanded().size().low
+            share = np.fmin(share, absolute / np.where(least > 0, least, np.nan))
+        # An exact operation adds nothing, even where its slope is not known.
+        is_exact = np.maximum(share, 0.0 if absolute is None else absolute) == 0
+        bounds = []
+        for slope, condition in zip(slopes, conditions, strict=True):
+            found = [condition.largest() * share] if np.any(self.relative) else []
+            if absolute is not None:
+                found.append(slope.expanded().largest() * absolute)
+            bounds.append(np.where(is_exact, 0.0, take_least(*found) * (1 + 8 * EPS)))
+        return bounds
+
+
+def take_least(*bounds: Ends) -> Ends:
+    """Return the lowest of bounds of one thing; those that are not finite say nothing."""
+    least = np.float64(np.inf)
+    for bound in bounds:
+        least = np.fmin(least, bound)
+    return least
+
+
+# An error is put to a term where it is no larger a share of it than so many times that of the sum.
+HARDLY_MORE = (1.25, 2.0, 4.0, np.inf)
+
+
+def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
+    """Bound a sum of errors, each told as shares of what is at most the sum, its terms last."""
+    of_sum = [take_least(*shares) for shares in errors]
+    totals = [sum(of_sum, np.float64(0.0))]
+    if terms > 1:
+        # Some are the same in all boxes.
+        shape = np.broadcast_shapes(*(np.shape(s) for shares in errors for s in shares[-terms:]))
+        of_terms = [
+            np.array([np.broadcast_to(share, shape) for share in shares[-terms:]])
+            for shares in errors
+        ]
+        totals += [_share_out(of_sum, of_terms, factor) for factor in HARDLY_MORE]
+    return take_least(*totals)
+
+
+def _share_out(of_sum: Sequence[Ends], of_terms: Sequence[Array], factor: float) -> Ends:
+    """Put each error to the terms that have least to answer for, so that they have as much."""
+    loads = np.zeros_like(of_terms[0])
+    rest: Ends = np.float64(0.0)
+    for whole, shares in zip(of_sum, of_terms, strict=True):
+        least = shares.min(axis=0)
+        # What is a share of no term stays with the whole, of which it may have no bound.
+        is_put = (whole > 0) & np.isfinite(least) & (least <= factor * whole)
+        rest = rest + np.where(is_put, 0.0, whole)
+        levels = np.where(np.isfinite(shares), _fill(loads, shares), 0.0)
+        loads = np.where(is_put, np.maximum(loads, levels), loads)
+    return rest + loads.max(axis=0)
+
+
+def _fill(loads: Array, shares: Array) -> Array:
+    """Return the level to which an error fills some terms, of each of which it is such a share."""
+    order = np.argsort(loads, axis=0)
+    with np.errstate(divide="ignore"):
+        sizes = 1 / np.take_along_axis(shares, order, axis=0)
+    # The lowest terms take all of it: how many are filled is where the level is lowest.
+    before = np.cumsum(np.take_along_axis(loads, order, axis=0) * sizes, axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = (1 + before) / np.cumsum(sizes, axis=0) * (1 + 8 * EPS * len(loads))
+    level: Array = np.fmin.reduce(found, axis=0)
+    return level

@@ -22,7 +22,7 @@ from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import NOTHING, Operation, Program
-from mechproof.programs.term_loops import ADDED, TermLoop, fold_sums
+from mechproof.programs.scalar import ADDED, TermLoop, fold_sums
 from mechproof.record import Argument, Chart, Form, Quantity, Scale
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.elementary_errors import prove

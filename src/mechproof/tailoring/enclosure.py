@@ -18,8 +18,16 @@ from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import Series, is_finite, list_terms, working
 from mechproof.programs.elementary.fits import bound_terms
 from mechproof.programs.program import Program
-from mechproof.tailoring.model import Model, PeriodReduction
-from mechproof.tailoring.taylor_models import LEAST, UNIT, TaylorModel, UndecidedError, start, track
+from mechproof.tailoring.model import (
+    LEAST,
+    UNIT,
+    Model,
+    PeriodReduction,
+    TaylorModel,
+    UndecidedError,
+    start,
+    track,
+)
 
 Exact = Callable[[Series], Series]
 ORDER = 14

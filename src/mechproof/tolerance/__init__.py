@@ -18,11 +18,16 @@ inside `certified_range`.
 """
 
 from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
-from mechproof.tolerance.allocation import Allocation, allocate_tolerances
 from mechproof.tolerance.certified import CertifiedRange, certified_range
 from mechproof.tolerance.corners import CornerRange, corner_range
 from mechproof.tolerance.scatter import MonteCarloRange, Scatter, monte_carlo_range
-from mechproof.tolerance.sensitivity import Contributions, contributions, root_sum_square
+from mechproof.tolerance.sensitivity import (
+    Allocation,
+    Contributions,
+    allocate_tolerances,
+    contributions,
+    root_sum_square,
+)
 from mechproof.tolerance.sizes import Size
 
 __all__ = [

@@ -1,7 +1,8 @@
 """Cache: JSON that is kept in the user's folder for caches, each entry under its key.
 
 A key is the digest of all that an entry rests on: what rests on something else has another key and
-is made anew. So is what is missing, damaged or written by another version.
+is made anew. So is what is missing, damaged or written by another version. Which files a derivation
+was made from is watched while it is loaded.
 """
 
 from __future__ import annotations
@@ -9,12 +10,18 @@ from __future__ import annotations
 import json
 import os
 import sys
+import sysconfig
+import time
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from hashlib import sha256
-from importlib.metadata import version
+from importlib.metadata import distributions, version
+from importlib.util import source_from_cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from mechproof.tools.files import write_whole
@@ -22,6 +29,16 @@ from mechproof.tools.files import write_whole
 VARIABLE = "MECHPROOF_CACHE"
 # Keys without a value that a file holds; more are of old sources.
 MOST_KEYS = 1000
+HERE = Path(__file__).resolve().parents[1]
+STANDARD = Path(sysconfig.get_paths()["stdlib"])
+INSTALLED = {"site-packages", "dist-packages"}
+# Modules that are a library's or the package's, by name: there are thousands.
+_libraries: dict[str, ModuleType] = {}
+# What modules of the package and of derivations are called.
+OWN = ("mechproof", "_mechproof")
+# Papers and what is generated from them: of no paper but their own.
+PAPERS = ("derivations", "kernels")
+_noted: set[str] | None = None
 
 
 def cache_folder() -> Path:
@@ -86,3 +103,89 @@ class Store:
     def add(self, keys: Iterable[str]) -> None:
         """Keep keys without a value, too: those of what has passed a check."""
         self.write(dict.fromkeys(list({**self.read(), **dict.fromkeys(keys)})[-MOST_KEYS:]))
+
+
+def _note(event: str, arguments: tuple[object, ...]) -> None:
+    if event == "open" and _noted is not None and isinstance(arguments[0], str | bytes):
+        _noted.add(os.fsdecode(arguments[0]))
+
+
+# It cannot be taken away again; while nothing is noted it does nothing.
+sys.addaudithook(_note)
+
+
+@contextmanager
+def note_reads() -> Iterator[dict[str, str]]:
+    """Note what is opened until the end, and what is loaded by then: path -> digest, filled there.
+
+    It stays empty where a file was written meanwhile: nobody knows which text was read.
+    """
+    global _noted
+    _noted, read, start = set(), dict[str, str](), time.time_ns()
+    try:
+        yield read
+    finally:
+        opened, _noted = _noted, None
+    files = {path for path in map(_find_source, opened) if _is_own(path)} | _find_helpers()
+    if all(path.stat().st_mtime_ns < start for path in files):
+        read.update(digest_files(files))
+
+
+def _find_source(name: str) -> Path:
+    """Return the source whose bytecode is read, or the file itself."""
+    return Path(source_from_cache(name) if name.endswith(".pyc") else name).resolve()
+
+
+def _find_helpers() -> set[Path]:
+    """Return the files of loaded modules that are neither a library's nor the package's.
+
+    A derivation may use them without opening them, where another one did before.
+    """
+    others = {n: m for n, m in list(sys.modules.items()) if _libraries.get(n) is not m}
+    files = {name: getattr(module, "__file__", None) for name, module in others.items()}
+    for name, file in files.items():
+        if file and (name.startswith(OWN) or _is_library(file)):
+            _libraries[name] = others[name]
+    own = {f for n, f in files.items() if f and _libraries.get(n) is not others[n]}
+    return {file for file in (Path(one).resolve() for one in own) if _is_own(file)}
+
+
+def _is_own(file: Path) -> bool:
+    return file.is_file() and (file.is_relative_to(HERE) or not _is_library(str(file)))
+
+
+def _is_library(name: str) -> bool:
+    """Say whether a file changes with the version of what is installed only."""
+    file = Path(name)
+    return file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
+
+
+def digest_files(paths: Iterable[Path]) -> dict[str, str]:
+    """Return path -> digest of what is there; of what is not, an empty one."""
+    return {str(path): _digest(path) for path in sorted(paths)}
+
+
+def _digest(path: Path) -> str:
+    return sha256(path.read_bytes()).hexdigest() if path.exists() else ""
+
+
+def are_unchanged(digests: Mapping[str, str]) -> bool:
+    """Say whether all files are what they were."""
+    try:
+        return digest_files(map(Path, digests)) == digests
+    except OSError:
+        return False
+
+
+def list_program() -> list[Path]:
+    """List the files of the package, without papers and what is generated from them."""
+    files = (path for path in HERE.rglob("*") if path.suffix != ".pyc" and path.is_file())
+    return [path for path in files if path.relative_to(HERE).parts[0] not in PAPERS]
+
+
+@cache
+def digest_program() -> str:
+    """Return the digest of the package, of Python and of all that is installed."""
+    installed = sorted({f"{d.name} {d.version}" for d in distributions()})
+    parts = [sys.version, *installed, *digest_files(list_program()).values()]
+    return sha256("\n".join(parts).encode()).hexdigest()

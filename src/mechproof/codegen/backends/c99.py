@@ -43,8 +43,7 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 from mechproof.programs.reverse_mode import differentiate
-from mechproof.programs.scalar import list_scalars, list_stages, put_off_divisions
-from mechproof.programs.term_loops import LOOPS, fold_sums
+from mechproof.programs.scalar import LOOPS, fold_sums, list_scalars, list_stages, put_off_divisions
 from mechproof.record import OnePass, Paper
 
 WIDTH = 90

@@ -17,8 +17,7 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
-from mechproof.programs.scalar import join_stage, list_conditions, list_stages
-from mechproof.programs.term_loops import ADDED, TermLoop
+from mechproof.programs.scalar import ADDED, TermLoop, join_stage, list_conditions, list_stages
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
 SCALAR, LOOP = "_scalar", "_loop"

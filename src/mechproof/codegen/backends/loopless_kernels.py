@@ -17,8 +17,7 @@ from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Operand, Operation, Program
-from mechproof.programs.scalar import list_arguments, rename_components
-from mechproof.programs.term_loops import LOOPS, TermLoop
+from mechproof.programs.scalar import LOOPS, TermLoop, list_arguments, rename_components
 
 # Where the term of a loop is found, besides the indices.
 AT = "_at"

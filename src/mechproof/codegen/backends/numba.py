@@ -34,8 +34,7 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS
-from mechproof.programs.scalar import list_scalars
-from mechproof.programs.term_loops import LOOPS, TermLoop, fold_sums
+from mechproof.programs.scalar import LOOPS, TermLoop, fold_sums, list_scalars
 from mechproof.record import OnePass, Paper
 
 # What modules need beside operations.

@@ -18,12 +18,12 @@ from mechproof.programs.operations import COMPARISONS
 from mechproof.programs.program import NOTHING, Program
 from mechproof.programs.scalar import (
     ScalarArgument,
+    TermLoop,
     join_stage,
     list_arguments,
     list_stages,
     name_domain,
 )
-from mechproof.programs.term_loops import TermLoop
 from mechproof.record import OnePass
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})

@@ -30,10 +30,11 @@ from mechproof.programs.rewrites.differences import (
 from mechproof.programs.rewrites.half_angle import (
     cosine_minus_one,
     half_angle_tangent,
+    low_product,
+    low_word,
     positive_atan2,
     small_arc,
 )
-from mechproof.programs.rewrites.low_word import low_product, low_word
 from mechproof.programs.rewrites.taylor import taylor
 
 __all__ = ["REWRITES", "apply_rewrites"]
