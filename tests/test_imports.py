@@ -40,6 +40,7 @@ LOADED = {
     "compiled_support": {
         *("numpy", "numba", "llvmlite"),
         *("mechproof.compiled_support", "mechproof.tools.extras", "mechproof.kernel_support"),
+        "mechproof.tools.processes",
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},

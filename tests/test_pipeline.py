@@ -12,8 +12,7 @@ from command import OPEN, PROVED, write
 from mechproof.codegen.regenerate import LIST
 from mechproof.pipeline import stages
 from mechproof.pipeline.judging import PipelineError
-from mechproof.pipeline.stages import regenerate
-from mechproof.pipeline.validation_workers import ValidationError
+from mechproof.pipeline.stages import ValidationError, regenerate
 
 
 def test_the_stages_run_in_their_order(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from import_graph import find_reached, read_graph
 
 from mechproof.ledger import verdict_cache as verdicts
-from mechproof.pipeline import validation_workers
+from mechproof.pipeline import stages
 from mechproof.roundoff import certificate_files as certificates
 from mechproof.tools import cache
 from mechproof.tools.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
@@ -110,7 +110,7 @@ def reached(*starts: str) -> set[str]:
 @pytest.mark.slow
 def test_what_passed_rests_on_all_that_validates() -> None:
     modules = reached("mechproof.lab.validation", "mechproof.lab.subject")
-    assert {module.partition(".")[0] for module in modules} <= set(validation_workers.LAYERS)
+    assert {module.partition(".")[0] for module in modules} <= set(stages.LAYERS)
 
 
 def test_a_verdict_rests_on_all_that_judges() -> None:

@@ -224,7 +224,7 @@ def test_threads_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     phi = np.linspace(-1e3, 1e3, 10_001)
     alone = elliptic_planetary.position(phi, *SIZES)
     monkeypatch.setattr(loops, "THREADED", 100)
-    monkeypatch.setattr(loops, "_count_processors", lambda: 3)
+    monkeypatch.setattr(loops, "count_processors", lambda: 3)
     assert np.array_equal(elliptic_planetary.position(phi, *SIZES), alone)
 
 

@@ -10,10 +10,9 @@ import sympy as sp
 from flint import arb
 
 from mechproof.lab.validation import ENCLOSING, decide, enclose_stage
-from mechproof.programs.code import Stage
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import KINDS, VIEWS
-from mechproof.programs.program import NOTHING, Operation, Program
+from mechproof.programs.program import NOTHING, Operation, Program, Stage
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")

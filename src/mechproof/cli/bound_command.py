@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.options import fail, refuse, say, show_progress
 from mechproof.coq.checker import CheckerError
 from mechproof.fpcore import FPCoreError
 from mechproof.pipeline import bounding

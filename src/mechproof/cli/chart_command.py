@@ -9,8 +9,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say
-from mechproof.cli.options import find_locations, find_places
+from mechproof.cli.options import fail, find_locations, find_places, refuse, say
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.measured import MADE_BY, Record, find_all_files, find_files, goes_by, read_record
 

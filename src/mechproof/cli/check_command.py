@@ -11,8 +11,8 @@ import typer
 from rich.text import Text
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.ledger_command import STYLES, count, print_details, print_left
+from mechproof.cli.options import fail, refuse, say, show_progress
 from mechproof.document.checked_rows import CheckedRow, rows_to_json
 from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.drafts.draft import draft_block

@@ -16,12 +16,21 @@ from mechproof.cli.bound_command import bound
 from mechproof.cli.certify_command import certify
 from mechproof.cli.chart_command import chart, figures
 from mechproof.cli.check_command import check
-from mechproof.cli.console import console, fail, refuse, say, show_progress
 from mechproof.cli.emit_command import app as emit_app
 from mechproof.cli.improve_command import SEARCH_LIMIT, improve, offer_forms
 from mechproof.cli.ledger_command import print_ledgers
 from mechproof.cli.new_command import new
-from mechproof.cli.options import RULE, Places, find_locations, find_places
+from mechproof.cli.options import (
+    RULE,
+    Places,
+    console,
+    fail,
+    find_locations,
+    find_places,
+    refuse,
+    say,
+    show_progress,
+)
 from mechproof.cli.report_command import report
 from mechproof.derivation import DerivationError, find_systems
 from mechproof.ledger.judged import to_json

@@ -9,8 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.options import Places, find_locations, find_places, read_out
+from mechproof.cli.options import (
+    Places,
+    fail,
+    find_locations,
+    find_places,
+    read_out,
+    refuse,
+    say,
+    show_progress,
+)
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.pipeline.judging import PipelineError
 from mechproof.tools.files import write_whole

@@ -10,8 +10,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.options import Places, find_places
+from mechproof.cli.options import Places, fail, find_places, refuse, say, show_progress
 from mechproof.derivation import DerivationError, add_chosen
 from mechproof.tools.processes import WorkerError
 

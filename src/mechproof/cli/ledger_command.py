@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from rich.table import Table
 from rich.text import Text
 
-from mechproof.cli.console import console, say
+from mechproof.cli.options import console, say
 from mechproof.latex.changes import Style
 from mechproof.ledger.cards import make_card
 from mechproof.ledger.judged import COUNTED, PLAIN, Ledger, classify, show_totals, sort_findings

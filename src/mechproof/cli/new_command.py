@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from mechproof.cli.console import refuse, say
+from mechproof.cli.options import refuse, say
 from mechproof.document.transcription import Transcription
 from mechproof.record import RESERVED
 from mechproof.record.exactness import is_name

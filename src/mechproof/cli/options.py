@@ -1,27 +1,67 @@
-"""What several commands ask for: options and arguments, and the places of derivations."""
+"""What commands ask for and say: options, the places of derivations, full lines, progress."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.text import Text
 
-from mechproof.cli.console import fail, refuse
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import State, Verdict
 from mechproof.tools.files import write_whole
 
+console = Console(highlight=False, emoji=False)
+errors = Console(stderr=True, highlight=False, emoji=False)
 RULE = (
     "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
     "those of the folder ./derivations if there is one, else those that come with the package. "
     "What is generated from DIR lies in DIR/../generated."
 )
+
+
+def say(text: str | Text) -> None:
+    """Print to stdout; what is piped or kept in a file is not wrapped."""
+    console.print(text, markup=False, soft_wrap=not console.is_terminal)
+
+
+def refuse(message: str) -> NoReturn:
+    """End with 2: bad usage."""
+    _complain(message)
+    raise typer.Exit(2)
+
+
+def fail(message: str) -> NoReturn:
+    """End with 1: what was asked for failed."""
+    _complain(message)
+    raise typer.Exit(1)
+
+
+def _complain(message: str) -> None:
+    errors.print(message, style="red", markup=False, soft_wrap=True)
+
+
+@contextmanager
+def show_progress(title: str) -> Iterator[Callable[[str], None]]:
+    """Show what is at work on a terminal; drawn when told, as a thread could not be forked."""
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    errors.print(title, markup=False, soft_wrap=True)
+    progress = Progress(
+        *columns, console=errors, transient=True, auto_refresh=False, disable=not errors.is_terminal
+    )
+    with progress:
+        task = progress.add_task(escape(title), total=None)
+        yield lambda text: progress.update(task, description=escape(text), refresh=True)
 
 
 @dataclass(frozen=True)

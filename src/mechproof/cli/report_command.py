@@ -8,8 +8,15 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.console import fail, refuse, say, show_progress
-from mechproof.cli.options import find_locations, find_places, read_out
+from mechproof.cli.options import (
+    fail,
+    find_locations,
+    find_places,
+    read_out,
+    refuse,
+    say,
+    show_progress,
+)
 from mechproof.pipeline.judging import PipelineError
 from mechproof.pipeline.verification import LIMIT
 from mechproof.sources.paper_files import SUFFIXES

@@ -13,9 +13,9 @@ import sympy as sp
 from mechproof.codegen.backends.numpy import FORMS, render_derivatives, render_modules
 from mechproof.codegen.formula_text import write_formula
 from mechproof.codegen.kernel_reading import check_module
-from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import Enclosure, Solved
 from mechproof.programs.kernel import Kernel, build_functions, list_functions, name_rival
+from mechproof.programs.program import Stage
 from mechproof.programs.raising import WrittenForm
 from mechproof.programs.reverse_mode import differentiate, select_wanted
 from mechproof.record import (

@@ -14,9 +14,15 @@ from typing import Any
 
 from mechproof.codegen.condition_outputs import join_conditions
 from mechproof.codegen.source_reading import SourceError, compare, read_functions
-from mechproof.programs.code import CHECK, KernelCode, Stage, list_suffixes, name_functions
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.program import Program
+from mechproof.programs.program import (
+    CHECK,
+    KernelCode,
+    Program,
+    Stage,
+    list_suffixes,
+    name_functions,
+)
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
 # Functions that act on axes, by what they are given besides an array: the operation, and operands.

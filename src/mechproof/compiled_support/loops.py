@@ -19,6 +19,7 @@ from mechproof.compiled_support.machine import typeof
 from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
 from mechproof.kernel_support.blocks import WRITTEN, check_out
+from mechproof.tools.processes import count_processors
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
@@ -269,7 +270,7 @@ def _fill_uniformly(
 ) -> None:
     """Fill flat targets, on several threads if they are long."""
     points = row.size // max(loops.widths[0], 1)
-    workers = _count_processors() if points >= THREADED else 1
+    workers = count_processors() if points >= THREADED else 1
     given = [row, *parameters]
     if workers == 1:
         _fill_pieces(loops, targets, given)
@@ -311,7 +312,7 @@ def _fill_pieces(loops: Loops, targets: list[NDArray[Any]], given: list[Any]) ->
 
 def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:
     """Call a compiled function for all parts, on all processors."""
-    if _count_processors() == 1:
+    if count_processors() == 1:
         for part in parts:
             act(part)
         return
@@ -320,16 +321,8 @@ def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:
 
 
 @cache
-def _count_processors() -> int:
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:
-        return os.cpu_count() or 1
-
-
-@cache
 def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(_count_processors(), "mechproof")
+    return ThreadPoolExecutor(count_processors(), "mechproof")
 
 
 # A forked process has none of its parent's threads.

@@ -17,12 +17,11 @@ from mechproof.lab.oracle import Truth
 from mechproof.lab.sampling.stated_sizes import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.programs.code import KernelCode
 from mechproof.programs.evaluation import arrange, entries
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.operations import Arithmetic
-from mechproof.programs.program import Program
+from mechproof.programs.program import KernelCode, Program
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.step_names import share_subexpressions
 from mechproof.record import Quantity

@@ -24,11 +24,11 @@ from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.lab.worst_search import SearchedInput, compare, draw_sets, scaled_errors
 from mechproof.measured import round_up
-from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
+from mechproof.programs.program import Stage
 from mechproof.programs.scalar import (
     ADDED,
     fold_sums,

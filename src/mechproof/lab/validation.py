@@ -34,10 +34,9 @@ from mechproof.lab.sampling.named_sets import TUNE, PointSet, choose_evenly, dra
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
-from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel, build_functions, list_functions
 from mechproof.programs.operations import KINDS, VIEWS, Arithmetic, Rounding
-from mechproof.programs.program import Program, spell_out_forms
+from mechproof.programs.program import KernelCode, Program, Stage, spell_out_forms
 from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run

@@ -14,7 +14,7 @@ from mechproof.codegen.backends.c99 import render_c, render_c_derivatives, rende
 from mechproof.codegen.backends.standalone_functions import render_scripts
 from mechproof.lab.single_precision_errors import state_errors
 from mechproof.pipeline.judging import Progress, judge_papers, refuse_failures, tell_nobody
-from mechproof.pipeline.validation_workers import list_unmeant
+from mechproof.pipeline.stages import list_unmeant
 from mechproof.record import Paper
 
 

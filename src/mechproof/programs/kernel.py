@@ -14,7 +14,6 @@ from functools import reduce
 import sympy as sp
 
 from mechproof.programs.argument_conditions import can_be_left, checked_relations
-from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.evaluation import (
     Enclosure,
     Evaluation,
@@ -29,7 +28,7 @@ from mechproof.programs.evaluation import (
     trace_inputs,
 )
 from mechproof.programs.lowering import KNOWN, lower_conditions, lower_steps
-from mechproof.programs.program import NOTHING
+from mechproof.programs.program import NOTHING, KernelCode, Stage
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.step_names import PUBLIC_IN_MODULES, is_free, share_subexpressions
 from mechproof.record import Argument, Form, Paper, Quantity

@@ -6,9 +6,16 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from mechproof.programs.code import KernelCode, Stage, map_affinely
 from mechproof.programs.operations import SYMBOLIC, VIEWS
-from mechproof.programs.program import CONSTANTS, Operand, Program, spell_out_forms
+from mechproof.programs.program import (
+    CONSTANTS,
+    KernelCode,
+    Operand,
+    Program,
+    Stage,
+    map_affinely,
+    spell_out_forms,
+)
 from mechproof.record import Quantity
 
 # A whole turn off the argument is nothing to these.

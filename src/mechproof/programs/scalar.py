@@ -11,16 +11,17 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.operations import KINDS, REDUCTIONS, VIEWS
 from mechproof.programs.program import (
     TEMPORARY,
+    KernelCode,
     Operand,
     Operation,
     Program,
+    Stage,
     is_unnamed,
     spell_out_forms,
 )

@@ -14,13 +14,12 @@ import sympy as sp
 
 from mechproof.arithmetic.cover import Boxes
 from mechproof.arithmetic.intervals import EPS, Array
-from mechproof.programs.code import Stage, map_affinely
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.operations import Arithmetic
-from mechproof.programs.program import CONSTANTS, Program
+from mechproof.programs.program import CONSTANTS, Program, Stage, map_affinely
 from mechproof.programs.scalar import put_off_divisions
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, measure_norm

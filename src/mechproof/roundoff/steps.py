@@ -15,9 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.programs.code import Stage
 from mechproof.programs.operations import KINDS, Rounding
-from mechproof.programs.program import CONSTANTS, Operand, Operation, Program
+from mechproof.programs.program import CONSTANTS, Operand, Operation, Program, Stage
 from mechproof.programs.trace import TRACED, trace
 
 HALF = 0.5

@@ -18,10 +18,9 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic.intervals import Array, Interval
-from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import Arithmetic
-from mechproof.programs.program import NOTHING, Operation, Program
+from mechproof.programs.program import NOTHING, Operation, Program, Stage
 from mechproof.programs.scalar import ADDED, TermLoop, fold_sums
 from mechproof.record import Argument, Chart, Form, Quantity, Scale
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
@@ -30,10 +29,12 @@ from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import HALF, Expansion, flatten_stage
 
-PLACE = "n <= 2**20"
-# All products of roundings come to less, in eps and as a share: s = (n - 1)*u is at most 2**-33,
-# its square 2**-14*eps, and as a share s is what it moves the scale by, at most.
-MARGIN = 2.0**-10
+# The power of two that is the most terms.
+MOST = 20
+PLACE = f"n <= 2**{MOST}"
+# All products of roundings come to less, in eps and as a share: s = (n - 1)*u is at most
+# 2**(MOST - 53), its square 2**(2*MOST - 54)*eps, and as a share s is what it moves the scale by.
+MARGIN = 2.0 ** (2 * MOST - 50)
 # The worst is looked for among sets of so many, which NumPy adds up one after the other.
 SEARCHED = 5
 # Sizes are drawn from so many octaves.

@@ -15,10 +15,9 @@ import sympy as sp
 from sympy.simplify.fu import TR9
 
 from mechproof.arithmetic.polynomials import cancel
-from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import build_kernel, input_names
-from mechproof.programs.program import Operand
+from mechproof.programs.program import Operand, Stage
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.affine import find_size
 from mechproof.roundoff.bound import ErrorScale

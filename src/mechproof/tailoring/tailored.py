@@ -23,9 +23,8 @@ from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.c_names import WORDS
 from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel_reading import check_module
-from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.program import NOTHING, unfuse
+from mechproof.programs.program import NOTHING, KernelCode, Stage, unfuse
 from mechproof.record import Form
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model

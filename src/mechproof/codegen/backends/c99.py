@@ -35,13 +35,12 @@ from mechproof.codegen.docstrings import (
 )
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
-from mechproof.programs.code import Stage
 from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.programs.elementary.function_programs import BODIES
 from mechproof.programs.elementary.plain import write_plainly
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import HELPER, KINDS
-from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, Stage
 from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.scalar import LOOPS, fold_sums, list_scalars, list_stages, put_off_divisions
 from mechproof.record import OnePass, Paper

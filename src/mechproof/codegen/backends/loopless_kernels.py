@@ -13,10 +13,9 @@ from dataclasses import replace
 from mechproof.codegen.backends.scalar_texts import LoopCall
 from mechproof.codegen.languages import EXACT
 from mechproof.codegen.syntax import Syntax
-from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
-from mechproof.programs.program import Operand, Operation, Program
+from mechproof.programs.program import Operand, Operation, Program, Stage
 from mechproof.programs.scalar import LOOPS, TermLoop, list_arguments, rename_components
 
 # Where the term of a loop is found, besides the indices.

@@ -26,12 +26,11 @@ from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.languages import NUMPY, NUMPY_BODY
 from mechproof.codegen.syntax import ProgramText, write_program
 from mechproof.programs.argument_conditions import checked_relations
-from mechproof.programs.code import Stage, list_suffixes, name_functions
 from mechproof.programs.evaluation import input_symbols
 from mechproof.programs.kernel import Kernel, input_names, list_functions
 from mechproof.programs.lowering import lower_conditions
 from mechproof.programs.operations import KINDS, Support
-from mechproof.programs.program import NOTHING
+from mechproof.programs.program import NOTHING, Stage, list_suffixes, name_functions
 from mechproof.programs.reverse_mode import differentiate
 from mechproof.programs.step_names import list_imports
 from mechproof.record import Form, Paper, Toleranced

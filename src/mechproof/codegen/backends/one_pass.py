@@ -11,15 +11,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
-from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import (
     NOTHING,
     TEMPORARY,
+    KernelCode,
     Operand,
     Operation,
     Program,
+    Stage,
     is_unnamed,
 )
 from mechproof.programs.scalar import list_arguments, list_stages, name_domain

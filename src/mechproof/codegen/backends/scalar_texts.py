@@ -9,13 +9,12 @@ from math import prod
 from mechproof.codegen.c_names import STORED
 from mechproof.codegen.languages import EXACT
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
-from mechproof.programs.code import Stage
 from mechproof.programs.elementary.fits import enclose
 from mechproof.programs.elementary.formats import Format
 from mechproof.programs.elementary.function_programs import Function, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import COMPARISONS
-from mechproof.programs.program import NOTHING, Program
+from mechproof.programs.program import NOTHING, Program, Stage
 from mechproof.programs.scalar import (
     ScalarArgument,
     TermLoop,

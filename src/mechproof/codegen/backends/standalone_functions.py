@@ -16,12 +16,19 @@ from mechproof.codegen.backends.scalar_texts import BOOLEAN, ScalarKernel, write
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.languages import ARRAY, FORM, RESULT, SCRIPTS, STRUCTURED_TEXT_WORDS, Script
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
-from mechproof.programs.code import Stage
 from mechproof.programs.differentiable_branches import block_branches
 from mechproof.programs.elementary.plain import needs_roundings, write_plainly
 from mechproof.programs.kernel import Kernel, build_functions, list_functions
 from mechproof.programs.operations import HELPER
-from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, is_unnamed, unfuse
+from mechproof.programs.program import (
+    TEMPORARY,
+    Operand,
+    Operation,
+    Program,
+    Stage,
+    is_unnamed,
+    unfuse,
+)
 from mechproof.programs.scalar import join_stage, list_conditions, list_stages
 from mechproof.record import Paper
 
