@@ -26,7 +26,7 @@ from mechproof import (
 from mechproof.conformity import Normal, Shares
 from mechproof.kernels import wedge_linkage
 from mechproof.plot.canvas import SMALL
-from mechproof.plot.pitch_curve_plot import place_wheels
+from mechproof.plot.motion_plot import place_wheels
 from mechproof.tolerance import Size, certified_range, corner_range, monte_carlo_range
 from mechproof.tools.extras import tell_install
 

@@ -23,8 +23,7 @@ from numpy.typing import NDArray
 from mechproof.arguments.scalars import check_count, check_real, refuse, require
 from mechproof.mechanisms import OvalPair, OvalPlanetary
 from mechproof.mechanisms.teeth import find_oval_teeth
-from mechproof.plot.motion_plot import Planetary, check_planetary
-from mechproof.plot.pitch_curve_plot import Wheel, place_wheels
+from mechproof.plot.motion_plot import Planetary, Wheel, check_planetary, place_wheels
 from mechproof.tools.extras import require_modules
 
 Array = NDArray[np.float64]
@@ -257,7 +256,7 @@ def cut_teeth(
     import ncgears
     import sympy as sp
 
-    check_planetary("mechanism", mechanism)
+    check_planetary(mechanism)
     is_path = isinstance(folder, str | os.PathLike)
     require(is_path, "folder", folder, "must be the path of a folder", TypeError)
     count = check_count("teeth", teeth, least=3)

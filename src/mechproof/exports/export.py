@@ -14,8 +14,7 @@ from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.exports.curves import place_in_mm, write_dxf, write_motion, write_outlines, write_svg
 from mechproof.mechanisms.units import Units
 from mechproof.plot.canvas import make_canvas, use_style
-from mechproof.plot.motion_plot import Planetary, check_planetary
-from mechproof.plot.pitch_curve_plot import Wheel, pitch_curves, place_wheels
+from mechproof.plot.motion_plot import Planetary, Wheel, check_planetary, pitch_curves, place_wheels
 from mechproof.tools.files import write_whole
 
 # Pictures of a turn of the carrier, so many in a second, so wide and high (mm), dots per inch.
@@ -115,7 +114,7 @@ def export(
         Without the library that a kind of file needs.
 
     """
-    check_planetary("mechanism", mechanism)
+    check_planetary(mechanism)
     is_path = isinstance(path, str | os.PathLike)
     require(is_path, "path", path, "must be the path of a file", TypeError)
     file = Path(path)

@@ -16,8 +16,7 @@ not used. Needs the `plot` extra (matplotlib); the figures of papers need the `d
 """
 
 from mechproof.plot.figures import Figure
-from mechproof.plot.motion_plot import motion
-from mechproof.plot.pitch_curve_plot import pitch_curves
+from mechproof.plot.motion_plot import motion, pitch_curves
 from mechproof.plot.tolerance_plot import shares, tolerance
 
 __all__ = ["Figure", "motion", "pitch_curves", "shares", "tolerance"]

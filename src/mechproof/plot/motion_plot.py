@@ -1,14 +1,17 @@
-"""The motion of a planetary mechanism over one period: position, ratio and acceleration."""
+"""Planetary mechanisms: their motion over one period, and their wheels in mesh, to scale."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from mechproof.arguments.scalars import require
-from mechproof.mechanisms import EllipticPlanetary, OvalPlanetary
+from mechproof.arguments.scalars import check_real, require
+from mechproof.kernels import oval_planetary as oval_kernels
+from mechproof.mechanisms import CylindricalPair, EllipticPlanetary, OvalPlanetary
+from mechproof.mechanisms.units import Units
 from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, tick_degrees, write
 
 if TYPE_CHECKING:
@@ -20,8 +23,11 @@ Planetary = EllipticPlanetary | OvalPlanetary
 
 # Samples of a period: a step is less than a printer's dot.
 SAMPLES = 721
-HEIGHT = 110.0
+MOTION_HEIGHT = 110.0
 LABELS = ("position φ₃, °", "ratio dφ₃/dφ₁", "acceleration d²φ₃/dφ₁²")
+Array = NDArray[np.float64]
+
+HEIGHT = 85.0
 
 
 def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequence[Axes]:
@@ -54,9 +60,9 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
         Without matplotlib: the extra `plot`.
 
     """
-    check_planetary("mechanism", mechanism)
+    check_planetary(mechanism)
     extremes, title, rests = _describe(mechanism, eta)
-    panels = check_axes("axes", axes, 3, HEIGHT)
+    panels = check_axes("axes", axes, 3, MOTION_HEIGHT)
     angles = np.linspace(0.0, extremes.period, SAMPLES)
     curves = (
         np.degrees(mechanism.position(angles)),
@@ -77,11 +83,11 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
     return panels
 
 
-def check_planetary(name: str, mechanism: Any) -> None:
+def check_planetary(mechanism: Any) -> None:
     """Raise TypeError for what is no planetary mechanism."""
     known = isinstance(mechanism, EllipticPlanetary | OvalPlanetary)
     allowed = "must be an EllipticPlanetary or an OvalPlanetary"
-    require(known, name, mechanism, allowed, TypeError)
+    require(known, "mechanism", mechanism, allowed, TypeError)
 
 
 def _describe(
@@ -131,3 +137,180 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
         sideways = 0.1 if share < 0.2 else -0.1 if share > 0.8 else 0.0
         text = f"{write(value)} at {write(inside)}°"
         label(panel, text, (float(inside), value), (sideways, 4.0 * upward), path_effects=[halo])
+
+
+class Wheel(NamedTuple):
+    """A pitch curve: its number in the paper, its axis, and the place of its long radius.
+
+    Radii a (1 - e^2)/(1 - e cos(lobes (angle - turned))) about the axis; e = 0 is a circle.
+    """
+
+    number: int
+    axis: Array
+    a: float
+    e: float
+    lobes: int
+    turned: float
+
+    def radius(self, angle: Any) -> Any:
+        """Return the radius in a direction of the frame (rad)."""
+        wave = np.cos(self.lobes * (np.asarray(angle) - self.turned))
+        return self.a * (1 - self.e**2) / (1 - self.e * wave)
+
+    def point(self, angle: Any) -> Array:
+        """Return the point of the curve in a direction of the frame (rad), shape (..., 2)."""
+        ray = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        return np.asarray(self.axis + np.asarray(self.radius(angle))[..., np.newaxis] * ray)
+
+    def outline(self) -> Array:
+        """Return points of the closed curve, shape (n, 2)."""
+        return self.point(np.linspace(0.0, 2 * np.pi, SAMPLES))
+
+
+def pitch_curves(
+    mechanism: Planetary, phi1: float, ax: Any = None, *, degrees: bool = False
+) -> Axes:
+    """Draw the wheels in mesh at the carrier angle `phi1` (rad), to scale.
+
+    Each wheel carries its number; a line shows its longest radius; B and D are the
+    points of contact. Lengths are in mm; of an `OvalPair`, whose size is not given, in units of
+    the major semi-axis a.
+
+    Parameters
+    ----------
+    mechanism : EllipticPlanetary or OvalPlanetary
+        The wheels.
+    phi1 : float
+        Angle of the carrier (rad).
+    degrees : bool
+        Whether the angle is in degrees.
+    ax : matplotlib Axes, optional
+        To draw on; without, on a new figure of a column's width.
+
+    Returns
+    -------
+    Axes
+        On which it was drawn.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For another mechanism, an angle that is no finite number, or what is no Axes.
+    ImportError
+        Without matplotlib: the extra `plot`.
+
+    """
+    check_planetary(mechanism)
+    angle = check_real("phi1", Units(degrees).take("phi1", phi1, "rad"))
+    (panel,) = check_axes("ax", ax, 1, HEIGHT)
+    wheels = place_wheels(mechanism, angle)
+    for wheel in wheels:
+        _draw_wheel(panel, wheel, angle)
+    _draw_line_of_centres(panel, wheels, angle)
+    panel.set_aspect("equal")
+    is_sized = isinstance(mechanism, EllipticPlanetary) or isinstance(
+        mechanism.pair, CylindricalPair
+    )
+    panel.set_xlabel("mm" if is_sized else "lengths in units of a", fontsize=SMALL)
+    panel.set_title(
+        f"φ₁ = {write(np.degrees(angle))}°, φ₃ = {write(np.degrees(mechanism.position(angle)))}°",
+        loc="left",
+        fontsize=SMALL,
+    )
+    return panel
+
+
+def place_wheels(mechanism: Planetary, phi1: float) -> tuple[Wheel, Wheel, Wheel, Wheel]:
+    """Return the wheels 4, 5, 6, 3 at a carrier angle, in the fixed frame."""
+    if isinstance(mechanism, EllipticPlanetary):
+        return _place_elliptic(mechanism, phi1)
+    return _place_oval(mechanism, phi1)
+
+
+def _place_elliptic(mechanism: EllipticPlanetary, phi1: float) -> tuple[Wheel, Wheel, Wheel, Wheel]:
+    """At zero the far end of wheel 6 points to A, and that of wheel 3 away from C."""
+    large, small, e = mechanism.R1, mechanism.R2, mechanism.e
+    a, origin = (large - small) / 2, np.zeros(2)
+    centre = 2 * a * np.array([np.cos(phi1), np.sin(phi1)])
+    satellite = phi1 - mechanism.radius_ratio * phi1
+    return (
+        Wheel(4, origin, large, 0.0, 1, 0.0),
+        Wheel(5, centre, small, 0.0, 1, satellite),
+        Wheel(6, centre, a, e, 1, np.pi + satellite),
+        Wheel(3, origin, a, e, 1, np.pi + float(mechanism.position(phi1))),
+    )
+
+
+def _place_oval(mechanism: OvalPlanetary, phi1: float) -> tuple[Wheel, Wheel, Wheel, Wheel]:
+    """At zero the major axes of 4 and, without a mount, of 6 lie on A-C, of 5 and 3 across."""
+    pair, e2, origin, across = mechanism.pair, float(mechanism.e2), np.zeros(2), np.pi / 2
+    mount = 0.0
+    if isinstance(pair, CylindricalPair):
+        radii, e1 = (float(pair.R4), float(pair.R5)), 0.0
+        turn = radii[0] / radii[1] * phi1
+    else:
+        radii, e1, mount = (1.0, 1.0), float(pair.e), float(pair.mount)
+        turn = drive(e1, phi1)
+    a = sum(radii) / 2
+    centre = 2 * a * np.array([np.cos(phi1), np.sin(phi1)])
+    satellite = phi1 + turn
+    output = across - drive(e2, mount) + float(mechanism.position(phi1))
+    return (
+        Wheel(4, origin, radii[0], e1, 2, 0.0),
+        Wheel(5, centre, radii[1], e1, 2, across + satellite),
+        Wheel(6, centre, a, e2, 2, satellite + mount),
+        Wheel(3, origin, a, e2, 2, output),
+    )
+
+
+def drive(e: float, angle: float) -> float:
+    """Return how far an oval pair turns its driven wheel, from equal cylinders before it."""
+    return angle - float(oval_kernels.position_cylindrical(angle, 1.0, 1.0, e))
+
+
+# How each wheel is drawn, and where its number stands: degrees from the line A-C.
+LOOKS = {
+    4: (LineStyle.FIRST, 120),
+    5: (LineStyle.FIRST, 60),
+    6: (LineStyle.SECOND, -60),
+    3: (LineStyle.SECOND, -120),
+}
+# How far names stand from their points, in points.
+AWAY = 4.5
+
+
+def _draw_wheel(panel: Axes, wheel: Wheel, angle: float) -> None:
+    look, aside = LOOKS[wheel.number]
+    panel.plot(*wheel.outline().T, **look, label=f"wheel {wheel.number}")
+    longest, direction = wheel.turned, angle + np.radians(aside)
+    thin = {"color": look["color"], "lw": 0.5, "ls": "-"}
+    panel.plot(*np.stack([wheel.axis, wheel.point(longest)]).T, **thin)
+    panel.plot(*wheel.axis, color=look["color"], marker="+", ms=5)
+    x, y = wheel.point(direction).tolist()
+    panel.text(
+        x,
+        y,
+        str(wheel.number),
+        fontsize=SMALL,
+        ha="center",
+        va="center",
+        bbox={"boxstyle": "circle,pad=0.15", "fc": "#ffffff", "ec": look["color"], "lw": 0.5},
+    )
+
+
+def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) -> None:
+    """Draw the carrier from A to C, and the contacts B of 4 and 5, D of 6 and 3."""
+    sun, satellite, _, output = wheels
+    ray = np.array([np.cos(angle), np.sin(angle)])
+    places = {"A": sun.axis, "C": satellite.axis, "B": sun.point(angle), "D": output.point(angle)}
+    panel.plot(*np.stack([places["A"], places["C"]]).T, **LineStyle.GUIDE)
+    # The curves cross the line A-C at right angles: names of contacts stand away from each other
+    # near it, those of the axes beside it.
+    near, far = sorted("BD", key=lambda name: float(places[name] @ ray))
+    turned = {near: 205, far: 25, "A": 110, "C": 70}
+    for name, place in places.items():
+        if name in "BD":
+            panel.plot(*place, **LineStyle.MARK)
+        direction = angle + np.radians(turned[name])
+        aside = (AWAY * np.cos(direction), AWAY * np.sin(direction))
+        label(panel, name, tuple(place), aside)
