@@ -12,10 +12,9 @@ from mechproof.proof import (
     any_functions,
     binomial_squares,
     continuity,
-    divergence,
+    convergence,
     endless_sums,
     floors,
-    fourier_series,
     induction,
     inequalities,
     integral_recurrences,
@@ -27,13 +26,12 @@ from mechproof.proof import (
     monotonicity,
     newton,
     powers,
-    separation,
     single_variable,
     telescoping,
     wave_sums,
 )
 from mechproof.proof.equation_ladder import IDENTICAL
-from mechproof.proof.exact_values import RECOMPUTATION
+from mechproof.proof.exact_values import RECOMPUTATION, SEPARATION
 from mechproof.proof.ladder import UNCOMPARED
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Verdict
@@ -54,7 +52,7 @@ NAMED += [
     induction.RUNG,
     induction.OF_INEQUALITIES,
     wave_sums.RUNG,
-    fourier_series.RUNG,
+    wave_sums.FOURIER,
     UNCOMPARED,
     limits.FROM_SIDES,
     newton.RUNG,
@@ -71,14 +69,14 @@ NAMED += [
     monotonicity.RUNG,
     binomial_squares.RUNG,
     telescoping.RUNG,
-    separation.RUNG,
+    SEPARATION,
     endless_sums.PARTIAL_SUMS,
     endless_sums.KNOWN_SERIES,
     known_integrals.RUNG,
     integral_recurrences.DERIVATIVES,
     any_functions.RUNG,
     floors.RUNG,
-    divergence.RUNG,
+    convergence.RUNG,
     inequalities.SIGNS,
     inequalities.MEAN_VALUE,
 ]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from mechproof.proof.exact_values import SEPARATION, decide_by_separation
 from mechproof.proof.ladder import decide
-from mechproof.proof.separation import RUNG, decide_by_separation
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
 from mechproof.statement_domains.domain import Domain
@@ -71,7 +71,7 @@ OTHER: dict[str, tuple[sp.Expr, sp.Expr]] = {
 
 @pytest.mark.parametrize("name", TRUE)
 def test_equal_numbers_are_proved(name: str) -> None:
-    assert decide_by_separation(*TRUE[name], ANYWHERE) == RUNG
+    assert decide_by_separation(*TRUE[name], ANYWHERE) == SEPARATION
     assert decide(Equality(*TRUE[name]), ANYWHERE).verdict is Verdict.PROVED
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.arithmetic.polynomials import reduce_polynomial, split
+from mechproof.arithmetic.polynomials import cancel, factor_list, reduce_polynomial, split
 from mechproof.record.parts import TURNING, replace_parts
 from mechproof.statement_domains.set_values import COUNTS
 
@@ -126,6 +126,49 @@ def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
     """Write a power of a number's size by the square of the number, as far as it goes."""
     times, rest = divmod(int(power.exp), 2)
     return number ** (2 * times) * power.base**rest
+
+
+def name_roots(
+    expression: sp.Expr, radicands: Iterable[sp.Expr], is_positive: Callable[[sp.Expr], bool]
+) -> tuple[sp.Expr, tuple[sp.Symbol, ...]]:
+    """Let roots of these positive radicands be numbers of which the squares are known; name these.
+
+    Roots of quotients and products go by those of their factors: sqrt((1 + e)/(1 - e))*sqrt(1 -
+    e**2) is 1 + e then.
+    """
+    roots: dict[sp.Expr, sp.Symbol] = {}
+    values = {radicand: _name_root(radicand, roots, is_positive) for radicand in radicands}
+    squares = {root: factor for factor, root in roots.items()}
+    named = expression.replace(
+        lambda node: node.is_Pow and node.base in values and node.exp.is_Rational,
+        lambda node: values[node.base] ** (2 * node.exp),
+    )
+    named = named.replace(
+        lambda node: node.is_Pow and node.base in squares and node.exp.is_Integer,
+        lambda node: squares[node.base] ** (node.exp // 2) * node.base ** (node.exp % 2),
+    )
+    return named, tuple(squares)
+
+
+def _name_root(
+    radicand: sp.Expr, roots: dict[sp.Expr, sp.Symbol], is_positive: Callable[[sp.Expr], bool]
+) -> sp.Expr:
+    """Return a root as a product of those of its factors, if their signs are known."""
+
+    def name(factor: sp.Expr) -> sp.Symbol:
+        return roots.setdefault(factor, sp.Dummy("root", positive=True))
+
+    try:
+        (above, numerators), (below, denominators) = map(factor_list, cancel(radicand))
+    except sp.PolynomialError:
+        return name(radicand)
+    powers = [*numerators, *((factor, -n) for factor, n in denominators)]
+    turned = [-factor if is_positive(-factor) else factor for factor, _ in powers]
+    if len(powers) < 2 or not all(map(is_positive, turned)):
+        return name(radicand)
+    # The radicand is positive, and so are its factors.
+    number = sp.sqrt(abs(above / below))
+    return number * sp.Mul(*(name(f) ** n for f, (_, n) in zip(turned, powers, strict=True)))
 
 
 def free_tangents(expression: sp.Expr) -> sp.Expr:

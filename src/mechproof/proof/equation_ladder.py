@@ -22,6 +22,11 @@ from mechproof.proof.cases import (
     write_pieces,
 )
 from mechproof.proof.continuity import decide_by_derivative, explain_break
+from mechproof.proof.convergence import (
+    RUNG as DIVERGENCE,
+    lack_values_alike,
+    tell_divergence,
+)
 from mechproof.proof.count_zeros import (
     find_count_without_value,
     find_edge_without_value,
@@ -36,16 +41,14 @@ from mechproof.proof.definedness import (
     need_the_same,
     put_in,
 )
-from mechproof.proof.divergence import RUNG as DIVERGENCE, lack_values_alike, tell_divergence
 from mechproof.proof.endless_sums import (
     KNOWN_SERIES,
     PARTIAL_SUMS,
     settle_endless,
     settle_series,
 )
-from mechproof.proof.exact_values import decide_endless
+from mechproof.proof.exact_values import decide_by_separation, decide_endless
 from mechproof.proof.floors import decide_by_floors
-from mechproof.proof.fourier_series import RUNG as FOURIER_SERIES, settle_waves
 from mechproof.proof.induction import decide_by_induction, decide_by_quotients
 from mechproof.proof.integral_recurrences import decide_by_parts, settle_by_parts
 from mechproof.proof.integrals import (
@@ -68,10 +71,9 @@ from mechproof.proof.reasons import (
     tell_needs,
 )
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
-from mechproof.proof.separation import decide_by_separation
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.wave_sums import decide_by_steps
+from mechproof.proof.wave_sums import FOURIER, decide_by_steps, settle_waves
 from mechproof.proof.witness_text import clip
 from mechproof.record import DerivativeWhere, Slack
 from mechproof.record.parts import ENDLESS, find_parts, has_parts
@@ -162,7 +164,7 @@ _SETTLED = {
     ANTIDERIVATIVE: settle_improper,
     PARTIAL_SUMS: settle_endless,
     KNOWN_SERIES: settle_series,
-    FOURIER_SERIES: settle_waves,
+    FOURIER: settle_waves,
 }
 
 

@@ -16,13 +16,14 @@ from functools import lru_cache, reduce
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.asymptotic_forms import LIKE_ARGUMENT, write_like
 from mechproof.proof.orders import (
     ENDS,
+    LIKE_ARGUMENT,
     Order,
     join_logarithms,
     rewrite_sum,
     write_inverses,
+    write_like,
 )
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
 from mechproof.record import list_divisors, list_needs, list_partial

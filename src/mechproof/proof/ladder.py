@@ -19,9 +19,8 @@ from sympy.core.relational import Relational
 
 from mechproof.proof import integrand_signs, newton
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
-from mechproof.proof.convergence_conditions import find_condition
+from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
-from mechproof.proof.divergence import RUNG as DIVERGENCE
 from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_sides
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
 from mechproof.proof.floors import leave_fractions

@@ -26,11 +26,11 @@ from mechproof.proof.coordinates import (
     list_angles,
     name_absolute_values,
     name_positive,
+    name_roots,
     replace_by_half_line,
     write_by_cosines,
     write_by_half_angles,
 )
-from mechproof.proof.named_roots import name_roots
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts, find_roots, has_parts, replace_parts
 from mechproof.record.relations import Slack, find_slack

@@ -36,7 +36,7 @@ from mechproof.record.implicit import Implicit
 from mechproof.record.parts import find_free, find_parts
 from mechproof.statement_domains.dimension_inference import DimensionError, Dimensions, infer_common
 from mechproof.statement_domains.domain import Domain
-from mechproof.statement_domains.domain_checks import Facts, describe_excess, facts_of, find_excess
+from mechproof.statement_domains.set_values import Facts, describe_excess, facts_of, find_excess
 
 Side = tuple[str, sp.Basic]
 # The names of the sides of statements, that of a print first.

@@ -20,9 +20,11 @@ from mechproof.record import NUMBER, Dimension, Paper, Part, PublishedSizes, Rec
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import resolve
 from mechproof.statement_domains.dimension_inference import dimensions_of
-from mechproof.statement_domains.domain_checks import check_given, check_relation, check_set
 from mechproof.statement_domains.narrowing import Values, leaves_values, search
 from mechproof.statement_domains.set_values import (
+    check_given,
+    check_relation,
+    check_set,
     contains,
     list_closed_ends,
     list_special_values,
@@ -33,7 +35,6 @@ from mechproof.statement_domains.set_values import (
 Point = dict[sp.Basic, sp.Expr]
 _Pairs = tuple[tuple[sp.Basic, sp.Expr], ...]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
-_NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
 # After so many tries without a point, points are searched for; how many are enough then.
@@ -62,10 +63,8 @@ class Domain:
     where: tuple[sp.Basic, ...]
     given: Mapping[sp.Basic, sp.Expr]
     published: tuple[PublishedSizes, ...] = field(default=(), compare=False)
-    dimensions: Mapping[sp.Basic, Dimension] = field(
-        default_factory=lambda: _NO_DIMENSIONS, compare=False
-    )
-    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: _NO_VALUES, compare=False)
+    dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=dict, compare=False)
+    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict, compare=False)
 
     def __hash__(self) -> int:
         return self._hash
