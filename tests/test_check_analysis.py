@@ -106,6 +106,9 @@ PAIRS = [
     (r"z_1^2\equiv z_1\pmod 2", r"z_1^2\equiv z_1\pmod 3", ()),
     (r"(a+b)^3\equiv a^3+b^3\pmod 6", r"(a+b)^3\equiv a^3+b^3\pmod 4", ()),
     (r"n^3-n\equiv0\pmod6", r"n^3-n\equiv0\pmod9", (r"n\in\mathbb N",)),
+    # By one of any numbers.
+    (r"x\bmod1=x-\lfloor x\rfloor", r"x\bmod1=x-\lceil x\rceil", ()),
+    (r"x+3\equiv x\pmod{1}", r"2x\equiv x\pmod{1}", ()),
     (r"\varphi-\pi\equiv\varphi+\pi\pmod{2\pi}", r"\varphi-\pi\equiv\varphi\pmod{2\pi}", ()),
     # A second sum over the same index is a factor.
     (

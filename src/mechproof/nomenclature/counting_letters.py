@@ -14,6 +14,8 @@ from mechproof.latex.tokens import list_signs
 # The letters of last terms, behind dots.
 _LAST = ("n", "N", "m", "k")
 _RELATIONS = ("=", "<", ">", r"\le", r"\ge")
+# By one whole numbers leave nothing.
+_BY_ONE = re.compile(rf"(?:{'|'.join(map(re.escape, modulo.SIGNS))})\{{?1(?!\d)")
 # What is counted and never halved: no turns, revolutions or cycles, and no virtual teeth.
 _THINGS = (
     r"(?:(?:equal|identical|cylindrical|round|small|steel)\s+)?"
@@ -108,8 +110,8 @@ def _letters_of_order(texts: list[str]) -> Iterator[str]:
 
 
 def _letters_of_congruence(texts: list[str]) -> Iterator[str]:
-    """Yield all letters of a print with remainders, unless they are those of turns."""
-    if r"\pi" in texts:
+    """Yield all letters of a print with remainders, unless they are those of turns, or by one."""
+    if r"\pi" in texts or _BY_ONE.search("".join(texts)):
         return
     for place, text in enumerate(texts):
         if begins_letter(text) and text not in modulo.SIGNS and "_" not in texts[place - 2 : place]:
