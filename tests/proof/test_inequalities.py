@@ -9,8 +9,9 @@ from twins import check_twins, judge, list_rows
 from mechproof.proof.binomial_squares import RUNG as BINOMIAL_SQUARES, holds_by_squares
 from mechproof.proof.cases import RUNG as CASES
 from mechproof.proof.half_angles import find_sign_in_half_angles, find_sign_there
-from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SIGNS, SQUARES
+from mechproof.proof.inequalities import HALF_ANGLES, ORDERS, SIGNS, SQUARES, VALUES
 from mechproof.proof.integrand_signs import RUNG as INTEGRANDS
+from mechproof.proof.ladder import SIGN
 from mechproof.proof.monotonicity import RUNG as MONOTONICITY, holds_by_slope
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.verdict import Verdict
@@ -50,6 +51,21 @@ TABLES = {
             r"a^3+b^3+c^3+3abc>ab^2+a^2b+ac^2+a^2c+bc^2+b^2c",
             "a>0, b>0, c>0",
         ),
+    ),
+    VALUES: (
+        (r"\arcsin x\ge x", r"\arcsin x>x", r"0\le x\le1"),
+        (r"\arctan x<\arcsin x", r"\arctan x<\frac9{10}\arcsin x", r"0<x<1"),
+        (r"E<\arccos e", r"E<\arccos(2e)", r"\cos E>e, 0<E<\pi, 0<e<\frac12"),
+        (r"\arccos x\le\frac\pi2-x", r"\arccos x<\frac\pi2-x", r"0\le x\le1"),
+        (
+            r"\arctan x+\arctan y\ge\frac\pi2",
+            r"\arctan x+\arctan y>\frac\pi2",
+            r"xy\ge1, x>0, y>0",
+        ),
+    ),
+    SIGN: (
+        (r"\cos E>e", r"\cos E>2e", r"E<\arccos e, 0<E, 0<e<\frac12"),
+        (r"\mathrm{e}^x<y", r"\mathrm{e}^x<\frac{9y}{10}", r"x<\ln y"),
     ),
     CASES: ((r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),),
     SIGNS: ((r"|a-u|\le|a-b|+|b-c|+|c-u|", r"|a-u|<|a-b|+|b-c|+|c-u|", ""),),
@@ -93,7 +109,6 @@ TABLES = {
         (r"x-\frac{x^3}6<\sin x", r"x-\frac{x^3}7<\sin x", "x>0"),
         (r"\cos x\le1-\frac{x^2}2+\frac{x^4}{24}", r"\cos x<1-\frac{x^2}2+\frac{x^4}{24}", ""),
         (r"\sin x>\frac{2x}\pi", r"\sin x>\frac{7x}{10}", r"0<x<\frac\pi2"),
-        (r"\arcsin x\ge x", r"\arcsin x>x", r"0\le x\le1"),
         (r"\mathrm e^x>x^2", r"\mathrm e^x>2x^2", "x>0"),
         (r"\mathrm e^x>x^{\mathrm e}", r"\mathrm e^x<x^{\mathrm e}", r"x>\mathrm e"),
         (r"\ln x<\sqrt x", r"\ln x<\frac7{10}\sqrt x", "x>0"),

@@ -65,7 +65,7 @@ NAMED += [
     inequalities.HALF_ANGLES,
     inequalities.ORDERS,
     inequalities.GAPS,
-    inequalities.TANGENTS,
+    inequalities.VALUES,
     monotonicity.RUNG,
     binomial_squares.RUNG,
     telescoping.RUNG,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
@@ -10,6 +10,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import cancel, factor_list, reduce_polynomial, split
+from mechproof.record import Slack
 from mechproof.record.parts import TURNING, replace_parts
 from mechproof.statement_domains.set_values import COUNTS
 
@@ -236,3 +237,33 @@ def list_terms(expression: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
     """Write an expression as a sum of rational multiples of monomials."""
     terms = (t.as_coeff_Mul(rational=True) for t in sp.Add.make_args(sp.expand(expression)))
     return [(monomial, factor) for factor, monomial in terms]
+
+
+_QUARTER = sp.pi / 2
+# What inverse functions are inverse to, on which range, and whether it rises or falls there.
+_RANGES: Mapping[type[sp.Basic], tuple[type[sp.Expr], sp.Expr, sp.Expr, int]] = {
+    sp.asin: (sp.sin, -_QUARTER, _QUARTER, 1),
+    sp.acos: (sp.cos, sp.S.Zero, sp.pi, -1),
+    sp.atan: (sp.tan, -_QUARTER, _QUARTER, 1),
+    sp.log: (sp.exp, -sp.oo, sp.oo, 1),
+    sp.asinh: (sp.sinh, -sp.oo, sp.oo, 1),
+    sp.atanh: (sp.tanh, -sp.oo, sp.oo, 1),
+}
+
+
+def list_by_values(slack: Slack) -> Iterator[tuple[Slack, Slack, Slack]]:
+    """Yield what says the same of the value of an inverse function: cos E > e for E < arccos e.
+
+    That follows where what it is compared with is not beyond the other end of its range, which
+    comes second, and says it where that is not beyond the near one, which comes third.
+    """
+    for term in sp.Add.make_args(slack.value):
+        way, inverse = term.as_coeff_Mul()
+        if type(inverse) not in _RANGES or way not in (1, -1):
+            continue
+        function, low, high, direction = _RANGES[type(inverse)]
+        other = way * (term - slack.value)
+        gap = way * direction * (inverse.args[0] - function(other))
+        above, below = (Slack(x, function == sp.tan) for x in (other - low, high - other))
+        ends = (above, below) if way > 0 else (below, above)
+        yield slack._replace(value=gap), *ends

@@ -23,6 +23,7 @@ import sympy as sp
 from mechproof.arithmetic.polynomials import expand, split
 from mechproof.proof import binomial_squares, monotonicity
 from mechproof.proof.continuity import find_break
+from mechproof.proof.coordinates import list_by_values
 from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
 from mechproof.proof.signs import is_shown
 from mechproof.record import Root, Slack
@@ -34,7 +35,7 @@ SQUARES = "squares of roots and moduli"
 HALF_ANGLES = "signs in half-angle tangents"
 ORDERS = "every order of the numbers"
 GAPS = "gaps of linear relations"
-TANGENTS = "tangents of angles"
+VALUES = "order of inverse functions"
 # Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
 _MOST_ROOTS = 4
 _MOST_ORDERED = 3
@@ -57,7 +58,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
         (SIGNS, holds_by_signs),
         (MEAN_VALUE, partial(holds_by_mean_value, show=show_sign)),
         (ORDERS, _by_orders),
-        (TANGENTS, _by_tangents),
+        (VALUES, _by_values),
         (SQUARES, _by_squares),
         (binomial_squares.RUNG, binomial_squares.holds_by_squares),
         (monotonicity.RUNG, monotonicity.holds_by_slope),
@@ -66,25 +67,12 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
     return next((name for name, rung in rungs if rung(slack, domain)), None)
 
 
-def _by_tangents(slack: Slack, domain: Domain) -> bool:
-    """Compare two inverse sines or tangents, or a sum of two with zero, by their tangents."""
-    terms = sp.Add.make_args(domain.resolve(slack.value))
-    tangents = [_find_tangent(term, domain) for term in terms]
-    if len(terms) != 2 or None in tangents:
-        return False
-    return show_sign(Slack(sp.Add(*tangents), slack.strict), domain) is not None
-
-
-def _find_tangent(angle: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Return the tangent of an inverse sine or tangent, or its opposite; None for others."""
-    sign, inverse = angle.as_coeff_Mul()
-    if sign not in (1, -1) or not isinstance(inverse, sp.asin | sp.atan):
-        return None
-    (number,) = inverse.args
-    if isinstance(inverse, sp.atan):
-        return sign * number
-    is_within = is_shown(Slack(1 - number**2, True), domain)
-    return sign * number / sp.sqrt(1 - number**2) if is_within else None
+def _by_values(slack: Slack, domain: Domain) -> bool:
+    """Compare an arc, such as an inverse sine, with another number by what it is the inverse of."""
+    return any(
+        end.value.is_finite and is_shown_there(end, domain) and show_sign(value, domain)
+        for value, _, end in list_by_values(slack._replace(value=domain.resolve(slack.value)))
+    )
 
 
 def _by_orders(slack: Slack, domain: Domain) -> bool:

@@ -53,7 +53,8 @@ RUNGS = {
     "signs of moduli": "moduli are no less than others: for all signs of what is in these, "
     "multiples of what is in the first, by no more than one, add up to it",
     "mean value theorem": "|f(x) - f(y)| is no more than a bound of the slope of f times |x - y|",
-    "tangents of angles": "two angles within a quarter turn are in the order of their tangents",
+    "order of inverse functions": "an inverse function and another number, within its range, are "
+    "in the order, or the opposite one, of what it is the inverse of",
     "sum of binomial squares": "an inequality: the difference of the sides, by real numbers whose "
     "squares are those that are not negative, is a sum of squares of one or two terms",
     "signs in half-angle tangents": "an inequality in the tangents of half angles and in "

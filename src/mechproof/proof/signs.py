@@ -24,6 +24,7 @@ from mechproof.proof.coordinates import (
     Coordinates,
     free_tangents,
     list_angles,
+    list_by_values,
     name_absolute_values,
     name_positive,
     name_roots,
@@ -122,6 +123,14 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
     """Find the sign of a product with factors whose signs relations say, as xy < 1 does."""
     said = [slack for slack in map(find_slack, domain.where) if slack]
     said = [Slack(domain.resolve(value), strict) for value, strict in said]
+    # Without the relations, which would ask for these signs again.
+    free = replace(domain, where=())
+    said += [
+        value
+        for slack in said
+        for value, end, _ in list_by_values(slack)
+        if end.value.is_infinite or is_shown(end, free)
+    ]
     said = [slack for slack in said if slack.value.free_symbols <= expression.free_symbols]
     is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
     if not (said and is_small and _is_quotient(expression)):
