@@ -155,6 +155,10 @@ PAIRS = [
     # Limits of sequences, by their quotients, and of what is like its argument.
     (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
     (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
+    # Roots of degree n, by the quotients of radicands.
+    (r"\lim_{n\to\infty}\binom{2n}n^{1/n}=%s", ("4", "3"), ()),
+    (r"\lim_{n\to\infty}\frac{\sqrt[n]{n!}}n=%s", (r"\frac1e", "1"), ()),
+    (r"\lim_{n\to\infty}\sqrt[n]{2^n+3^n}=%s", ("3", "2"), (r"n\in\mathbb N",)),
     (r"\lim_{n\to\infty}\frac{(n+1)!}{n\cdot n!}=%s", ("1", "0"), ()),
     (r"\lim_{n\to\infty}\frac{n!-1}{n!}=%s", ("1", "0"), ()),
     (r"\lim_{x\to0}\frac{\sqrt[3]{1+x}-1}x=%s", (r"\frac13", r"\frac12"), ()),
@@ -173,6 +177,21 @@ PAIRS = [
     (r"\lim_{x\to\infty}x(\ln(x+a)-\ln x)=%s", ("a", "2a+1"), ()),
     (r"\lim_{x\to0}\frac{\sin ax}{\sin bx}=%s", (r"\frac ab", r"\frac ba"), (r"b\ne0",)),
     (r"\lim_{n\to\infty}\sum_{k=0}^nq^k=%s", (r"\frac1{1-q}", r"\frac q{1-q}"), ("|q|<1",)),
+    (
+        r"\prod_{k=0}^n(1+x^{2^k})=%s",
+        (r"\frac{1-x^{2^{n+1}}}{1-x}", r"\frac{1-x^{2^n}}{1-x}"),
+        (r"x\ne1",),
+    ),
+    (
+        r"\sum_{n=1}^\infty n^2x^n=%s",
+        (r"\frac{x(1+x)}{(1-x)^3}", r"\frac{x(1-x)}{(1-x)^3}"),
+        ("-1<x<1",),
+    ),
+    (
+        r"\sum_{n=2}^\infty n(n-1)x^{n-2}=%s",
+        (r"\frac2{(1-x)^3}", r"\frac3{(1-x)^3}"),
+        ("-1<x<1",),
+    ),
     (r"\prod_{n=2}^\infty\left(1-\frac1{n^2}\right)=%s", (r"\frac12", r"\frac13"), ()),
     # From one whole number to the next by parts.
     (r"\int_0^\infty x^ne^{-x}dx=%s", ("n!", "(n+1)!"), ()),

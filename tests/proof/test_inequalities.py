@@ -33,6 +33,7 @@ TABLES = {
         (r"\int_0^1x^n\,dx\le1", r"\int_0^1x^n\,dx\le\frac13", r"n\in\mathbb N"),
         (r"|\int_0^x\sin t^2\,dt|\le x", r"|\int_0^x\sin t^2\,dt|\le\frac x2", r"x\ge0"),
         (r"\int_0^x\mathrm e^{t^2}\,dt\ge x", r"\int_0^x\mathrm e^{t^2}\,dt>x", r"x\ge0"),
+        (r"\int_0^1\frac{\arctan x}xdx\le1", r"\int_0^1\frac{\arctan x}{x^2}dx\le5", ""),
         (r"\int_a^b\frac{dx}{1+x^2}\le b-a", r"\int_a^b\frac{dx}{1+x^2}\ge b-a", "b>a"),
         (
             r"\int_0^{2\pi}\sqrt{1-k^2\sin^2t}\,dt\le2\pi",
@@ -64,10 +65,23 @@ TABLES = {
         ),
     ),
     SIGN: (
+        (
+            r"\lfloor x\rfloor\lfloor y\rfloor\le xy",
+            r"\lfloor x\rfloor\lfloor y\rfloor<xy",
+            r"x\ge0, y\ge0",
+        ),
+        (r"\frac x{\lfloor x\rfloor}<2", r"\frac x{\lfloor x\rfloor}<\frac{19}{10}", r"x\ge1"),
         (r"\cos E>e", r"\cos E>2e", r"E<\arccos e, 0<E, 0<e<\frac12"),
         (r"\mathrm{e}^x<y", r"\mathrm{e}^x<\frac{9y}{10}", r"x<\ln y"),
     ),
-    CASES: ((r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),),
+    CASES: (
+        (r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),
+        (
+            r"\frac{|a+b|}{1+|a+b|}\le\frac{|a|}{1+|a|}+\frac{|b|}{1+|b|}",
+            r"\frac{|a+b|}{1+|a+b|}\le\frac{|a|}{1+|a|}+\frac{|b|}{2+|b|}",
+            "",
+        ),
+    ),
     SIGNS: ((r"|a-u|\le|a-b|+|b-c|+|c-u|", r"|a-u|<|a-b|+|b-c|+|c-u|", ""),),
     SQUARES: (
         (r"|\sin x|\le|x|", r"|\sin x|<|x|", ""),

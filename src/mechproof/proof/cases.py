@@ -223,14 +223,18 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
             if narrowed == sp.S.EmptySet or _excludes(domain, symbol, narrowed):
                 return None
             if isinstance(narrowed, sp.Interval | sp.FiniteSet):
-                return replace(domain, within={**domain.within, symbol: narrowed})
+                return _refuse_empty(replace(domain, within={**domain.within, symbol: narrowed}))
     if isinstance(relation, sp.Eq) or not isinstance(relation, Relational):
         return domain
-    where = (*domain.where, relation)
-    sets = {symbol: domain.set_of(symbol) for one in where for symbol in find_free(one)}
     if any(_contradicts(relation, other, domain) for other in domain.where):
         return None
-    return replace(domain, where=where) if leaves_values(sets, where, {}) else None
+    return _refuse_empty(replace(domain, where=(*domain.where, relation)))
+
+
+def _refuse_empty(domain: Domain) -> Domain | None:
+    """Return a domain, None where its relations leave some letter no value."""
+    sets = {symbol: domain.set_of(symbol) for one in domain.where for symbol in find_free(one)}
+    return domain if leaves_values(sets, domain.where, {}) else None
 
 
 def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:

@@ -56,7 +56,10 @@ def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator
 
 def _count(node: ExprWithLimits) -> ExprWithLimits:
     """Return a sum or a product over whole numbers, as which they are said."""
-    indices = {run[0]: sp.Symbol(run[0].name, integer=True) for run in node.limits}
+    told = {
+        index: {"nonnegative": True} if low.is_nonnegative else {} for index, low, _ in node.limits
+    }
+    indices = {index: sp.Symbol(index.name, integer=True, **facts) for index, facts in told.items()}
     limits = [run.xreplace(indices) for run in node.limits]
     return node.func(node.function.xreplace(indices), *limits)
 

@@ -193,7 +193,7 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     counts = {k: first + above}
     if not is_nonzero_below(_drop_factorials(term, counts), counts, domain):
         return None
-    if (value := _find_weighted(term, k, first)) is not None:
+    if (value := _find_weighted(term, k, first, domain)) is not None:
         return value
     first += term.subs(k, first) == 0
     before = sp.S.Zero
@@ -208,20 +208,31 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     return None
 
 
-def _find_weighted(term: sp.Expr, k: sp.Symbol, first: sp.Integer) -> sp.Expr | None:
-    """Return the sum of p(k)*a**k/k!; with the first i factors of k! for p it is a**i*e**a."""
+def _find_weighted(
+    term: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain
+) -> sp.Expr | None:
+    """Return the sum of p(k)*a**k/k! or p(k)*a**k, p a polynomial.
+
+    With the first i factors of k! for p they are a**i*e**a and i!*a**i/(1 - a)**(i + 1).
+    """
     weight = sp.Mul(*(f for f in sp.Mul.make_args(term) if f.has(k) and f.is_polynomial(k)))
     rest = (term / weight).subs(k, _J)
     quotient = hypersimp(rest, _J) if weight != 1 and 0 <= first <= _MOST_BEFORE else None
-    if quotient is None or (a := sp.cancel(quotient * (_J + 1))).has(_J):
+    if quotient is None:
+        return None
+    a = sp.cancel(quotient * (_J + 1))
+    is_geometric = a.has(_J)
+    a = quotient if is_geometric else a
+    if a.has(_J) or (is_geometric and not is_positive(1 - a**2, domain)):
         return None
     parts, left = [], sp.Poly(weight, k)
-    for count in range(left.degree() + 1):
+    for i in range(left.degree() + 1):
         # Newton's form of the polynomial, by the numbers 0, 1, 2 and so on.
-        left, part = sp.div(left, sp.Poly(k - count, k))
-        parts.append(part.as_expr() * a**count)
+        left, part = sp.div(left, sp.Poly(k - i, k))
+        value = sp.factorial(i) / (1 - a) ** (i + 1) if is_geometric else sp.exp(a)
+        parts.append(part.as_expr() * a**i * value)
     before = sp.Add(*(term.subs(k, number) for number in range(first)))
-    return sp.Add(*parts) * rest.subs(_J, 0) * sp.exp(a) - before
+    return sp.Add(*parts) * rest.subs(_J, 0) - before
 
 
 def _drop_factorials(term: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

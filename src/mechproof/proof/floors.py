@@ -102,10 +102,20 @@ def _list_steps(argument: sp.Expr, x: sp.Symbol, period: int) -> list[sp.Rationa
 
 
 def leave_fractions(number: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
-    """Write floors of u as u - t, t any number from 0 to below 1, in a domain with these."""
-    floors = sorted(number.atoms(sp.floor), key=sp.default_sort_key)
-    for one in reversed(floors):
-        t = sp.Dummy("t", real=True)
-        number = number.xreplace({one: one.args[0] - t})
+    """Write floors of u as u - t, t any number from 0 to below 1, in a domain with these.
+
+    A letter that begins somewhere is its floor and t: what that begins with is seen.
+    """
+    tied = {letter for relation in domain.where for letter in relation.free_symbols}
+    while floors := number.atoms(sp.floor):
+        one = max(floors, key=sp.default_sort_key)
+        (x,), t = one.args, sp.Dummy("t", real=True)
         domain = domain.with_set(t, sp.Interval.Ropen(0, 1))
+        values = domain.set_of(x) if x.is_Symbol and x not in tied else sp.S.Reals
+        if isinstance(values, sp.Interval) and values.start.is_finite:
+            whole = sp.Dummy(x.name, real=True)
+            number = number.xreplace({one: whole}).xreplace({x: whole + t})
+            domain = domain.with_set(whole, sp.Interval(sp.floor(values.start), sp.oo))
+        else:
+            number = number.xreplace({one: x - t})
     return number, domain

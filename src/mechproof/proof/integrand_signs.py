@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
+from mechproof.proof.growth import find_limit
 from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_shown
 from mechproof.record import Slack
@@ -63,7 +64,17 @@ def _is_shown(
         factor * integral.function.subs(integral.variables[0], place)
         for integral, factor in factors.items()
     ]
-    whole = domain.with_set(variable, run)
-    if any(find_break(part, variable, whole) is not None for part in moved):
+    inside = domain.with_set(variable, run.interior)
+    if not all(_has_integral(part, variable, run, inside) for part in moved):
         return False
-    return show(Slack(rate + sp.Add(*moved), strict), domain.with_set(variable, run.interior))
+    return show(Slack(rate + sp.Add(*moved), strict), inside)
+
+
+def _has_integral(f: sp.Expr, x: sp.Symbol, run: sp.Interval, inside: Domain) -> bool:
+    """Tell whether a function is shown to be continuous, with limits at both ends."""
+    if find_break(f, x, inside.with_set(x, run)) is None:
+        return True
+    if find_break(f, x, inside) is not None:
+        return False
+    limits = [find_limit(f, x, e, side, inside) for e, side in ((run.start, 1), (run.end, -1))]
+    return all(limit is not None and limit.is_finite for limit in limits)

@@ -124,7 +124,9 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if relation in (sp.true, sp.false) or not find_free(relation):
         if any(inside):
             return Answer(Verdict.UNDECIDED, "none", tell_inside(inside))
-        return _decide_numbers(statement.relation, relation, domain)
+        answer = _decide_numbers(statement.relation, relation, domain)
+        if answer.verdict is not Verdict.UNDECIDED or not has_parts(relation, sp.Integral):
+            return answer
     if isinstance(relation, sp.Equality):
         return decide_sides(relation.lhs, relation.rhs, domain)
     # What points refute need not be tried by every rung.

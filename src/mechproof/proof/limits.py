@@ -53,7 +53,8 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     run = write_by_sines(body.xreplace({variable: running}))
     value = _find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
-        value = _find_of_sequence(body, variable, domain)
+        count = sp.Dummy(variable.name, integer=True, positive=True)
+        value = _find_of_sequence(body.xreplace({variable: count}), count, domain)
     if value is None:
         value = _find_from_sides(run, running, point, str(direction), domain)
     found = () if value is not None else _list_by_parity(limit, domain)
@@ -76,7 +77,8 @@ def _list_by_parity(limit: sp.Limit, domain: Domain) -> tuple[sp.Expr, ...]:
 def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
     """Return the endless sum or product of one to n; 0 where quotients come to less than 1.
 
-    The sign of what comes to 0 may alternate.
+    The sign of what comes to 0 may alternate. Roots of degree n come to what the quotients of their
+    radicands come to (Cauchy, Cours d'analyse, 1821).
     """
     steady, moving = body.as_independent(n, as_Add=True)
     if steady != 0:
@@ -92,6 +94,10 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
         if not body.function.has(n):
             return body.func(body.function, (k, first, sp.oo))
         return _find_riemann(body, n, domain) if isinstance(body, sp.Sum) else None
+    if body.is_positive and any(power.exp.has(1 / n) for power in body.atoms(sp.Pow)):
+        root = _find_limit_of_quotients(sp.powdenest(body**n), n, domain)
+        if root is not None:
+            return root
     sizes = [f for f in sp.Mul.make_args(body) if f.as_base_exp()[0] != -1]
     size = sp.Mul(*sizes)
     if size != body and find_limit(size, n, sp.oo, -1, domain) == 0:
@@ -102,10 +108,14 @@ def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | 
         find_limit(end, n, sp.oo, -1, domain) == sp.oo for end in ends
     ):
         return None
-    quotient = sp.powsimp(sp.combsimp(size.subs(n, n + 1) / size))
-    limit = find_limit(quotient, n, sp.oo, -1, domain)
+    limit = _find_limit_of_quotients(size, n, domain)
     is_less = limit is not None and limit.is_finite and is_positive(1 - limit**2, domain)
     return sp.S.Zero if is_less else None
+
+
+def _find_limit_of_quotients(size: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
+    quotient = sp.powsimp(sp.combsimp(size.subs(n, n + 1) / size))
+    return find_limit(quotient, n, sp.oo, -1, domain)
 
 
 def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None:

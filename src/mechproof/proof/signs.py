@@ -291,22 +291,31 @@ def _with_related(expression: sp.Expr, domain: Domain) -> set[sp.Basic]:
 
 
 def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates) -> None:
-    """Use small < large, large being a symbol whose own interval starts no higher than small."""
+    """Write a letter by its bound and a gap, its own interval being endless on that side.
+
+    On the other side the interval begins no nearer than the bound.
+    """
     slack = find_slack(relation)
     if slack is None:
         return
-    small, large = relation.lts, relation.gts
-    where = domain.set_of(large)
-    # A letter with an upper end keeps the coordinate that says so: a gap has none.
-    if not large.is_Symbol or small.has(large) or where.sup != sp.oo:
-        return
-    # Without the relations, which would ask for this sign again.
-    low = where.inf == -sp.oo or find_sign(small - where.inf, replace(domain, where=()))
-    if low is None or (isinstance(low, StrictSign) and low.direction < 0):
-        return
-    gap = sp.Dummy(f"gap_{large}", nonnegative=True)
-    (coordinates.positive if slack.strict else coordinates.nonnegative).add(gap)
-    coordinates.replacement[large] = small + gap
+    for letter in dict.fromkeys((relation.gts, *sorted(relation.free_symbols, key=str))):
+        rate = slack.value.coeff(letter) if letter.is_Symbol else sp.S.Zero
+        if not rate.is_nonzero:
+            continue
+        bound, way, where = letter - slack.value / rate, sp.sign(rate), domain.set_of(letter)
+        near, far = (where.inf, where.sup) if way == 1 else (where.sup, where.inf)
+        # A letter with an end there keeps the coordinate that says so: a gap has none.
+        if bound.has(letter) or far != way * sp.oo:
+            continue
+        # Without the relations, which would ask for this sign again.
+        sign = (
+            find_sign(way * (bound - near), replace(domain, where=())) if near.is_finite else None
+        )
+        if near.is_infinite or (sign is not None and sign.direction > 0):
+            gap = sp.Dummy(f"gap_{letter}", nonnegative=True)
+            (coordinates.positive if slack.strict else coordinates.nonnegative).add(gap)
+            coordinates.replacement[letter] = bound + way * gap
+            return
 
 
 def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
