@@ -25,7 +25,7 @@ from mechproof.document.constraints.solutions import (
 from mechproof.document.misprints import RUNG, Misprint, find_failure, find_misprint, holds_at_rest
 from mechproof.document.row_sides import write_out
 from mechproof.document.slips import PrintedSides
-from mechproof.document.tasks import Task
+from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import settle_all
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
@@ -154,7 +154,7 @@ def _find_misprint(
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}
         for entry in compared:
             found = find_misprint(entry, given, domain, printed, repeated, state=state)
-            later = [tasks[m] for m in others if m > number and not tasks[m].is_case]
+            later = [tasks[m] for m in others if m > number and _is_another(tasks[m])]
             if found and not is_same and _becomes_one(found, later, domain):
                 continue
             if found and not holds_at_rest(state(entry.sides), given, domain, second):
@@ -164,6 +164,11 @@ def _find_misprint(
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def _is_another(task: Task) -> bool:
+    """Return whether a row is an equation of its own: no other case, nor the roots of one."""
+    return not (task.is_case or task.sign.role is Role.SOLUTIONS)
 
 
 def _may_hold_at(at: Mapping[sp.Basic, sp.Basic], task: Task, constraints: Sequence[Task]) -> bool:
