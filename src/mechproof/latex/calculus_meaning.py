@@ -54,9 +54,9 @@ def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
             is_factorial = isinstance(1 / factor, sp.factorial)
             positive = (1 / factor).args[0] + 1 if is_factorial else factor**2
             term = ValueWhere(term, sp.log(positive))
+    kind, nothing = (sp.Sum, 0) if node.name == "sum" else (sp.Product, 1)
     for other in node.apart:
-        term = term * (1 - sp.KroneckerDelta(meaning.of(other), index))
-    kind = sp.Sum if node.name == "sum" else sp.Product
+        term = nothing + (term - nothing) * (1 - sp.KroneckerDelta(meaning.of(other), index))
     return kind(term, (index, meaning.of(node.low), meaning.of(node.high)))
 
 
