@@ -18,6 +18,9 @@ PAIRS = [
     (r"\int_0^\infty e^{-x^2}dx=0.886", r"\int_0^\infty e^{-x^2}dx=0.887", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}\approx1.645", r"\sum_{n=1}^\infty\frac1{n^2}\approx1.644", ()),
     (r"\pi\simeq3.1416", r"\pi\simeq3.1417", ()),
+    # What is left out of a product is no zero in it.
+    (r"\prod_{k=1,k\ne2}^3k=3", r"\prod_{k=1,k\ne2}^3k=0", ()),
+    (r"\prod_{\substack{k=1\\k\ne1}}^nk=n!", r"\prod_{\substack{k=1\\k\ne2}}^nk=n!", ()),
     # One sign alone is right: the other one shows it.
     (r"x\mp x^2=\mp x^2+x", r"1\pm2=2\pm1", ()),
     (r"\lim_{x\to0}\frac{\sin x}{x}=1", r"\lim_{x\to0}\frac{\sin x}{x}=2", ()),

@@ -158,6 +158,12 @@ DISPLAYS = {
         r"\DeclareDocumentCommand\q{o m}{#2_{#1}}" + E % r"\p{y}{2}=\p[t]zw+\q{c}",
         [("(1)", r"\frac{dy}{dx}2=\frac{dz}{dt}w+c_{}")],
     ),
+    "what a command has for arguments that are given": (
+        r"\NewDocumentCommand{\p}{m o O{z}}{#1\IfValueT{#2}{_{#2}}#3}"
+        r"\NewDocumentCommand\q{o}{\IfNoValueTF{#1}{c}{d^{#1}}}"
+        r"\NewDocumentCommand\s{s m}{#2}" + E % r"\p{x}=\p{y}[1][w]+\q+\q[2]+\s{a}",
+        [("(1)", r"xz=y_{1}w+c+d^{2}+\s{a}")],
+    ),
     "a pair of delimiters": (
         r"\DeclarePairedDelimiter{\p}{\lvert}{\rvert}" + E % r"\p{y}=\p*{z}+\p[\big]w",
         [("(1)", r"\left\lvert y\right\rvert=\left\lvert z\right\rvert+\left\lvert w\right\rvert")],

@@ -75,6 +75,11 @@ DISPLAYS = {
         r"\end{align}",
         [("(1)", "a=b"), ("(2)", "c=d"), ("(3)", "e=f"), ("(4)", r"{\color{red}g=h}")],
     ),
+    "matrices of physics, and formulas on a colour or in a frame": (
+        E
+        % r"\mqty(a\\b)=\smqty[(c)\\d]+\colorbox{red}{$b+1$}\fcolorbox{red}{white}{$c$}\fbox{$d$}",
+        [("(1)", r"\pmqty{a\\b}=\bmqty{(c)\\d}+{b+1}{c}{d}")],
+    ),
     "settings of siunitx": (
         E % r"a=\SI[per-mode=symbol]{3}{m}+\qty[b]{c}",
         [("(1)", r"a=\SI{3}{m}+\qty[b]{c}")],

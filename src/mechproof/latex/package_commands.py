@@ -24,9 +24,9 @@ from mechproof.latex.latex_signs import (
 _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
 # An argument that may be one sign without braces.
 _ANY = "."
-# An argument as it stands, and one in brackets, if there is any.
-_PLAIN, _IN_BRACKETS = "#", "@"
-_NUMBERED = re.compile(f"[{_PLAIN}{_IN_BRACKETS}](\\d)")
+# An argument as it stands, one in brackets, if there is any, and one with commas between its lines.
+_PLAIN, _IN_BRACKETS, _IN_LINE = "#", "@", "?"
+_NUMBERED = re.compile(f"[{_PLAIN}{_IN_BRACKETS}{_IN_LINE}](\\d)")
 # How the arguments of a call begin, and what it stands for; of several the first that a call has.
 _Forms = tuple[tuple[str, str], ...]
 
@@ -55,6 +55,7 @@ def _set_out(kind: str) -> _Forms:
     return (("{", rf"\begin{{{kind}}}#1\end{{{kind}}}"),)
 
 
+_ENCLOSED = ("pmatrix", "bmatrix", "vmatrix")
 _MIXED = ("{{{", r"\frac{\partial^{2}@1}{\partial#2\partial#3}")
 _BARS, _NORM = _enclose(r"\left|", r"\right|"), _enclose(r"\left\|", r"\right\|")
 _FRACTION: _Forms = (("..", r"\frac{#1}{#2}"),)
@@ -75,12 +76,15 @@ _COMMANDS: Mapping[str, _Forms] = {
     r"\pqty": _enclose(r"\left(", r"\right)"),
     **dict.fromkeys((r"\bqty", r"\Bqty"), _enclose(r"\left[", r"\right]")),
     r"\eval": (("{", r"\left.#1\right|"),),
-    r"\mqty": tuple(
-        (opening, rf"\begin{{{kind}}}#1\end{{{kind}}}")
-        for opening, kind in {"{": "matrix", "(": "pmatrix", "[": "bmatrix", "|": "vmatrix"}.items()
+    **dict.fromkeys(
+        (r"\mqty", r"\smqty"),
+        tuple(
+            (opening, rf"\begin{{{kind}}}#1\end{{{kind}}}")
+            for opening, kind in zip("{([|", ("matrix", *_ENCLOSED), strict=True)
+        ),
     ),
-    **{rf"\{kind[0]}mqty": _set_out(kind) for kind in ("pmatrix", "bmatrix", "vmatrix")},
-    r"\mdet": _set_out("vmatrix"),
+    **{rf"\{s}{kind[0]}mqty": _set_out(kind) for kind in _ENCLOSED for s in ("", "s")},
+    **dict.fromkeys((r"\mdet", r"\smdet"), _set_out("vmatrix")),
     **dict.fromkeys((r"\vb", r"\vb*"), ((".", r"\mathbf{#1}"),)),
     **dict.fromkeys((r"\va", r"\va*"), ((".", r"\vec{#1}"),)),
     **dict.fromkeys((r"\vu", r"\vu*"), ((".", r"\hat{\mathbf{#1}}"),)),
@@ -88,7 +92,8 @@ _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys((r"\cross", r"\cp"), (("", r"\times"),)),
     **dict.fromkeys((r"\nicefrac", r"\sfrac", r"\flatfrac"), _FRACTION),
     r"\prescript": (("...", "{}^{#1}_{#2}#3"),),
-    **dict.fromkeys((r"\ensuremath", r"\substack", r"\smash", r"\mathclap"), _ITSELF),
+    **dict.fromkeys((r"\ensuremath", r"\smash", r"\mathclap"), _ITSELF),
+    r"\substack": ((_ANY, f"{_IN_LINE}1"),),
     **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},
 }
 # Derivatives of derivative, diffcoeff, esdiff and commath: what is derived, then by which letters.
@@ -208,10 +213,12 @@ def _split(body: str) -> tuple[Token, ...]:
 def _fill(body: Sequence[Token], arguments: Sequence[Sequence[Token]]) -> Iterator[Token]:
     signs = iter(body)
     for sign in signs:
-        if sign.text not in (_PLAIN, _IN_BRACKETS):
+        if sign.text not in (_PLAIN, _IN_BRACKETS, _IN_LINE):
             yield sign
             continue
         argument = arguments[int(next(signs).text) - 1]
+        if sign.text == _IN_LINE:
+            argument = [replace(x, text=",") if x.text == r"\\" else x for x in argument]
         has_brackets = sign.text == _IN_BRACKETS and argument
         yield from (
             [replace(sign, text="("), *argument, replace(sign, text=")")]

@@ -3,7 +3,7 @@ r"""What \newcommand, \def and others define, put in the place of its calls."""
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from mechproof.latex.latex_signs import join as join_signs
@@ -23,22 +23,24 @@ _DEFINING = re.compile(
     r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)(\\[A-Za-z@]+)?|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
 )
 _COUNT = re.compile(r"\s*\[(\d)\]")
-# The arguments of \NewDocumentCommand, as far as \newcommand has the like.
-_SPECIFIED = re.compile(r"\s*\{\s*(?:(o)|O\s*\{([^{}]*)\})?((?:\s*m)*)\s*\}")
+# The arguments of \NewDocumentCommand that stand in brackets or braces, and one of them.
+_SPECIFIED = re.compile(r"\s*\{(?:\s*(?:m|o|O\s*\{[^{}]*\}))*\s*\}")
+_ARGUMENT = re.compile(r"(m|o|O)\s*(?:\{([^{}]*)\})?")
+# What a body has for an argument that a call has, or has not.
+_ASKING = re.compile(r"\\If(?P<not>No)?Value(?P<ways>TF|T|F)\s*\{\s*#(?P<number>\d)\s*\}")
 _OPTION = re.compile(r"\s*\[([^\[\]]*)\]")
 _PARAMETER = re.compile(r"#(\d)")
 
 
 @dataclass(frozen=True)
 class Macro:
-    """A body with parameters #1, #2 ..., and the first one's value where a call has none.
+    """A body with parameters #1, #2 ..., and of those in brackets the value where a call has none.
 
     A call may have a star that changes nothing but sizes.
     """
 
     body: str
-    count: int = 0
-    default: str | None = None
+    arguments: tuple[str | None, ...] = ()
     has_star: bool = False
 
 
@@ -74,14 +76,18 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
     defined, parameters, delimiter, let, other = match.groups()[6:]
     if let:
         return {let: Macro(other)}, match.end()
-    count, default, place = parameters.count("#") if parameters else 0, None, match.end()
+    arguments: tuple[str | None, ...] = (None,) * (parameters or "").count("#")
+    place = match.end()
     if (new or environment) and (found := _COUNT.match(string, place)):
-        count, place = int(found[1]), found.end()
+        arguments, place = (None,) * int(found[1]), found.end()
         if found := _OPTION.match(string, place):
-            default, place = found[1], found.end()
-    if specified and (found := _SPECIFIED.match(string, place)):
-        default, place = "" if found[1] else found[2], found.end()
-        count = found[3].count("m") + (default is not None)
+            arguments, place = (found[1], *arguments[1:]), found.end()
+    if specified:
+        if not (found := _SPECIFIED.match(string, place)):
+            return {}, place
+        kinds = _ARGUMENT.findall(found[0])
+        arguments = tuple(None if kind == "m" else default for kind, default in kinds)
+        place = found.end()
     argument = _read_argument(string, place)
     name = new or specified or paired or operator or environment or defined
     if argument is None or string[place:].lstrip()[:1] != "{":
@@ -99,11 +105,11 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
         begin, finish = rf"\begin{{{name}}}", rf"\end{{{name}}}"
         if closing is None or begin in body:
             return {}, end
-        return {begin: Macro(body, count, default), finish: Macro(closing[0])}, closing[1]
+        return {begin: Macro(body, arguments), finish: Macro(closing[0])}, closing[1]
     if closing:
-        macro = Macro(rf"\left{body}#2\right{closing[0]}", 2, "", has_star=True)
+        macro = Macro(rf"\left{body}#2\right{closing[0]}", ("", None), has_star=True)
         return {name: macro}, closing[1]
-    return {name: Macro(body, count, default)}, end
+    return {name: Macro(body, arguments)}, end
 
 
 def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
@@ -127,21 +133,34 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
     """Return what a call stands for, and where it ends."""
     given, end = [], found.end()
     end += macro.has_star and string.startswith("*", end)
-    if macro.default is not None:
-        option = _OPTION.match(string, end)
-        given.append(option[1] if option else macro.default)
-        end = option.end() if option else end
-    while len(given) < macro.count:
+    for default in macro.arguments:
+        if default is not None:
+            option = _OPTION.match(string, end)
+            given.append(option[1] if option else default)
+            end = option.end() if option else end
+            continue
         argument = _read_argument(string, end)
         if argument is None:
-            raise DocumentError(f"{found[0]} needs {macro.count} arguments")
+            raise DocumentError(f"{found[0]} needs {len(macro.arguments)} arguments")
         given.append(argument[0])
         end = argument[1]
-    parts = _PARAMETER.split(macro.body)
+    parts = _PARAMETER.split(_choose(macro.body, given))
     parts[1::2] = [(given[int(n) - 1 :] or [f"#{n}"])[0] for n in parts[1::2]]
     # A name would run into a letter behind it.
     behind = string[end : end + 1]
     return join_signs([*parts, behind]).removesuffix(behind), end
+
+
+def _choose(body: str, given: Sequence[str]) -> str:
+    r"""Return a body with what it has for the arguments given: \IfValueT{#1}{^{#1}}."""
+    while found := _ASKING.search(body):
+        ways, end = dict[str, str](), found.end()
+        for way in found["ways"]:
+            ways[way], end = _read_argument(body, end) or ("", len(body))
+        has_value = any(given[int(found["number"]) - 1 :][:1]) != bool(found["not"])
+        chosen = ways.get("T" if has_value else "F", "")
+        body = join_signs([body[: found.start()], chosen, body[end:]])
+    return body
 
 
 def _read_argument(string: str, place: int) -> tuple[str, int] | None:

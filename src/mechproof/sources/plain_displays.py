@@ -33,27 +33,30 @@ _BRACE = re.compile(r"\\empheq(?:big)?l?brace|\\[,;:!]|[{}\s]|\\displaystyle|\\l
 _FUNCTION_BRACE = re.compile(r"\\empheq(?:big)?lbrace")
 _ROW_END = re.compile(r"\\\\")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+ONE = (None,)
 # Macros that packages and old TeX have, as far as equations are parted or numbered in them.
 BUILT_IN: Mapping[str, Macro] = {
-    r"\qq": Macro(r"\quad\text{#1}\quad ", 1, has_star=True),
+    r"\qq": Macro(r"\quad\text{#1}\quad ", ONE, has_star=True),
     r"\qc": Macro(r",\quad ", has_star=True),
     **{
         rf"\q{word}": Macro(rf"\quad\text{{{word}}}\quad ", has_star=True)
         for word in ("and", "or", "if", "for", "where")
     },
-    **dict.fromkeys((r"\boxed", r"\Aboxed"), Macro("#1", 1)),
-    r"\textcolor": Macro("#3", 3, ""),
-    r"\lefteqn": Macro("#1", 1),
-    r"\MoveEqLeft": Macro("", 1, ""),
-    r"\eqalign": Macro(r"\begin{aligned}#1\end{aligned}", 1),
+    **dict.fromkeys((r"\boxed", r"\Aboxed"), Macro("#1", ONE)),
+    r"\textcolor": Macro("#3", ("", None, None)),
+    r"\lefteqn": Macro("#1", ONE),
+    r"\MoveEqLeft": Macro("", ("",)),
+    r"\eqalign": Macro(r"\begin{aligned}#1\end{aligned}", ONE),
     **{
-        rf"\{kind}": Macro(rf"\begin{{{kind}}}#1\end{{{kind}}}", 1)
+        rf"\{kind}": Macro(rf"\begin{{{kind}}}#1\end{{{kind}}}", ONE)
         for kind in ("matrix", "pmatrix")
     },
-    r"\cases": Macro(r"\begin{cases*}#1\end{cases*}", 1),
+    r"\cases": Macro(r"\begin{cases*}#1\end{cases*}", ONE),
     **dict.fromkeys((r"\qedhere", r"\qed", r"\xspace", r"\allowbreak"), Macro("")),
 }
 _LENGTH = r"-?(?:\d+\.?\d*|\.\d+)\s*(?:pt|e[mx]|[cm]m|mu|in|pc|bp)"
+_ROUND = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
+_BOX = rf"f?colorbox(?:\s*{_GROUP})?\s*{_GROUP}|f(?:rame)?box"
 # What prints like something else; a break of lines before it is kept.
 _ALIKE = tuple(
     (re.compile(rf"(?P<kept>\\\\)|{pattern}"), written)
@@ -71,6 +74,12 @@ _ALIKE = tuple(
         # A comma or a point in words.
         (r"\\(?:text|textrm|mbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
+        # Matrices of physics in brackets, whose rows no display has.
+        (rf"\\s?mqty\s*\((?P<rows>{_ROUND})\)", r"\\pmqty{\g<rows>}"),
+        (r"\\s?mqty\s*\[(?P<rows>[^\[\]]*)\]", r"\\bmqty{\g<rows>}"),
+        (r"\\s?mqty\s*\|(?P<rows>[^|]*)\|", r"\\vmqty{\g<rows>}"),
+        # A formula that is framed, or stands on a colour, among words.
+        (rf"\\(?:{_BOX})\s*\{{\s*\$(?P<inside>[^$]*)\$\s*\}}", r"{\g<inside>}"),
         # How siunitx is to print a number.
         (
             r"(?P<name>\\(?:SI|qty|num|si|unit|ang)(?![A-Za-z]))\s*\[[^\[\]]*=[^\[\]]*\](?=\s*\{)",
