@@ -79,6 +79,18 @@ CASES = {
             *("PROVED", "DEFINITION", "not read"),
         ],
     ),
+    "a bold capital between columns is a matrix, and no cross product": (
+        [
+            r"\mathbf q=(x,y,z)",
+            r"\mathbf p+\mathbf q=\mathbf R\mathbf q",
+            r"\mathbf v+\mathbf q=\mathbf W\times\mathbf q",
+            r"\mathbf p^T\mathbf R\mathbf q=\langle\mathbf p,\mathbf R\mathbf q\rangle",
+            r"\mathbf p^T\mathbf R\mathbf q=\langle\mathbf q,\mathbf R\mathbf p\rangle",
+            r"\langle\mathbf p,\mathbf q\rangle_2=x",
+            r"\langle x,y\rangle=xy",
+        ],
+        ["DEFINITION"] * 2 + ["not read", "PROVED", "not judged", "not read", "not read"],
+    ),
     "a rate has the size of its vector": (
         [
             r"\dot{\mathbf r}=\mathbf J\dot{\mathbf q}",

@@ -12,7 +12,7 @@ from mechproof.latex import calculus, environments, letters, places, printed_der
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import DOTS, NARROW
 from mechproof.latex.left_scripts import VECTORS
-from mechproof.latex.matrix_meaning import make_cross_matrix
+from mechproof.latex.matrix_meaning import give_inner_product, make_cross_matrix
 from mechproof.latex.measures import read_measure, read_unit
 from mechproof.latex.name_table import find_brace
 from mechproof.latex.numerals import read_number
@@ -156,6 +156,21 @@ def _read_rounding(parser: Parser) -> tree.Node:
     return tree.Call(function, (inside,), start=start, end=parser.end)
 
 
+def _read_angles(parser: Parser) -> tree.Node:
+    """Read an inner product of two vectors."""
+    start = parser.start
+    parts = parser.read_inside(r"\langle", lambda: read_list(parser), r"\rangle")
+    are_shown = [any(map(tree.shows_matrix, tree.walk(part))) for part in parts]
+    if parser.text == "_" or not (parser.collects or are_shown == [True, True]):
+        raise parser.refuse(
+            "angle brackets: an inner product, entries of a vector, or a mean?",
+            r"Declare both vectors, or print \cdot between them, (…) around entries.",
+            start,
+        )
+    product = tree.PrintedFunction("inner product", give_inner_product)
+    return tree.Call(product, tuple(parts), start=start, end=parser.end)
+
+
 def _enclose(parser: Parser, inside: tree.Node, start: int) -> tree.Node:
     """Return what bars say: the determinant of a printed matrix, else the absolute value."""
     table = inside.inside if isinstance(inside, tree.Bracket) else inside
@@ -231,7 +246,8 @@ def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node
     texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
     is_plain = texts == ["{", "T", "}"]
     mark = texts[1] if texts[::2] == ["{", "}"] else ""
-    if mark in _TRANSPOSED or (is_plain and any(map(tree.shows_matrix, tree.walk(base)))):
+    has_matrix = is_plain and any(_shows_vector(parser, part) for part in tree.walk(base))
+    if mark in _TRANSPOSED or has_matrix:
         parser.place += 4
         return tree.Transposed(base, start=start, end=parser.end)
     if is_plain and parser.collects and not parser.names.find("T"):
@@ -248,6 +264,12 @@ def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node
     return None
 
 
+def _shows_vector(parser: Parser, part: tree.Node) -> bool:
+    """Return whether a part is a vector or a matrix, as a letter in bold is beside no letter T."""
+    is_bold = isinstance(part, tree.Letter) and part.text.startswith(VECTORS)
+    return tree.shows_matrix(part) or (is_bold and not parser.names.find("T"))
+
+
 # How what begins with a sign is read.
 _READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\frac": _read_fraction,
@@ -258,6 +280,7 @@ _READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\lvert": _read_sized_bars,
     places.LEFT: places.read_enclosed,
     **dict.fromkeys(_ROUNDING, _read_rounding),
+    r"\langle": _read_angles,
     **dict.fromkeys((r"\sum", r"\prod"), calculus.read_repeated),
     r"\lim": printed_derivatives.read_limit,
     r"\int": calculus.read_integral,

@@ -81,8 +81,8 @@ class Token:
 
 
 # What holds signs together, beside environments.
-OPENING = ("(", "[", "{", r"\lvert", r"\lfloor", r"\lceil")
-CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil")
+OPENING = ("(", "[", "{", r"\lvert", r"\lfloor", r"\lceil", r"\langle")
+CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil", r"\rangle")
 
 
 def measure_depths(texts: Iterable[str]) -> Iterator[int]:

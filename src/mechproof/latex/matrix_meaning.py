@@ -216,6 +216,14 @@ def make_cross_matrix(vector: Any) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
+def give_inner_product(one: Any, other: Any) -> sp.Expr:
+    """Return the product of two vectors; `ValueError` for others, also of different sizes."""
+    shown = [show_entries(value) for value in (one, other) if is_vector(value)]
+    if len(shown) != 2 or len(shown[0]) != len(shown[1]):
+        raise ValueError("an inner product needs two vectors of one size")
+    return shown[0].dot(shown[1])
+
+
 def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
     """Return a product; `UnclearProductError` where it may be one of several."""
     if not any(map(is_matrix, values)):

@@ -31,8 +31,15 @@ def _is_vector(node: tree.Node) -> bool:
     return isinstance(node, tree.Letter) and is_vector(node.text)
 
 
+def _is_bold_capital(node: tree.Node) -> bool:
+    """Return whether a factor is a letter that is no number: a matrix, if it is not a vector."""
+    inside = node.of if isinstance(node, tree.Transposed) else node
+    return isinstance(inside, tree.Letter) and bool(_BOLD_CAPITAL.match(inside.text))
+
+
 NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
 _NUMBERS = (tree.Number, tree.Constant, tree.Radical)
+_BOLD_CAPITAL = re.compile(r"\\(?:mathbf|bm)\{[A-Z]\}")
 # Scripts at the left for two frames, and what they belong to.
 _CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
 # The beginning of the name of a rate.
@@ -263,9 +270,11 @@ class Shapes:
         behind = [one for one in shapes[place + 1 :] if one not in (None, NUMBER)]
         rows = before[-1][1] if before else shape[0]
         columns = behind[0][0] if behind else shape[1]
-        may_be_number = (before or behind) and rows == columns
-        if not may_be_number or self._is_matrix(node.factors[place]):
-            self._push(node.factors[place], (rows, columns))
+        factor = node.factors[place]
+        is_bold = _is_bold_capital(factor) and r"\times" not in node.signs
+        may_be_number = (before or behind) and rows == columns and not is_bold
+        if not may_be_number or self._is_matrix(factor):
+            self._push(factor, (rows, columns))
 
 
 @dataclass(frozen=True)

@@ -315,6 +315,8 @@ def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
 
 
 def drop_transposition(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
-    """Return letters without a T that stands above matrices and nowhere else."""
-    is_sign = any(find_shapes(prints)) and not any(map(_PLAIN_T.search, prints))
+    """Return letters without a T that stands above matrices or vectors and nowhere else."""
+    letters = [*letters]
+    has_matrices = any(find_shapes(prints)) or any(map(is_vector, letters))
+    is_sign = has_matrices and not any(map(_PLAIN_T.search, prints))
     return [letter for letter in letters if not (is_sign and letter == "T")]
