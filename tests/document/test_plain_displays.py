@@ -162,6 +162,7 @@ JUDGED = {
     ),
     r"\begin{align*}\sqrt{x^2}&=x\quad\text{for $x%s0$.}\end{align*}": (">", "<"),
     r"$$2\pi*x-\pi*%s=\pi*x$$": ("x", "x^2"),
+    r"\begin{align*}\sin2x&=%s\sin x\cos x&&\text{(double angle)},\end{align*}": ("2", "3"),
     r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
 }
 
@@ -192,7 +193,23 @@ UNREAD = {
     r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
     r"\sqrt{x^2}=x\quad\text{unless $x<0$}": "unless",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
+    # What denies an equation, and what may be a unit.
+    r"x=y\quad\text{(a contradiction)}": "is not understood",
+    r"x=2y\quad\text{(kilometers)}": "is not understood",
+    r"x=25\quad\text{(percent)}": "is not understood",
 }
+
+
+@pytest.mark.parametrize(("one", "other"), [("", "REFUTED"), ("(maximum)", "not judged")])
+@pytest.mark.parametrize("is_first", [True, False])
+def test_an_equation_with_a_remark_may_be_of_another_case(
+    one: str, other: str, is_first: bool
+) -> None:
+    remark = rf"\text{{{one}}}"
+    remarks = (remark, "") if is_first else ("", remark)
+    text = rf"$$x_1=2x+y{remarks[0]}$$ $$x_1=3x+y{remarks[1]}$$"
+    rows = check("paper.tex", PAPER + text).rows
+    assert [str(row.outcome) for row in rows] == ["DEFINITION", other]
 
 
 def test_what_a_brace_says_is_judged() -> None:

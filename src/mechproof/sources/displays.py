@@ -12,7 +12,14 @@ from itertools import accumulate, count, pairwise
 
 from mechproof.sources.announcements import NOTHING, Announced
 from mechproof.sources.equation_numbers import Counter
-from mechproof.sources.lines import begins_with_sign, cut_gaps, goes_on, join_lines, split_lines
+from mechproof.sources.lines import (
+    begins_with_sign,
+    cut_gaps,
+    cut_remark,
+    goes_on,
+    join_lines,
+    split_lines,
+)
 from mechproof.sources.located_text import Files, LocatedText, Place, join
 from mechproof.sources.macros import Defined, Macro, expand, find_macros
 from mechproof.sources.paper_files import DocumentError
@@ -112,7 +119,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
     counter, unnumbered = Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
     text = write_frames(text)
-    group, last, announced = 0, 0, NOTHING
+    group, last, announced, remark_before = 0, 0, NOTHING, ""
     before: Printed | None = None
     for match in _EVENT.finditer(text.string):
         if match["heading"]:
@@ -133,14 +140,22 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
         else:
             macros = {d.name: d.macro for d in defined if d.place < match.end()}
             words = text[last : match.start()]
-            announced = announced.go_on(words.string, words.offsets)
+            said = announced.go_on(words.string, words.offsets)
+            if said.passage != announced.passage:
+                remark_before = ""
+            announced = said
             group, end = group + 1, match.end()
             if match["opened"]:
                 yield _show_opened(text, match, f"display {next(unnumbered)}", group)
                 last = end
                 continue
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
-                printed = replace(found, group=group, announced=announced)
+                latex, remark = cut_remark(found.latex)
+                # What has no remark behind one that has is no more about the same.
+                if remark or remark_before:
+                    announced = announced.go_on(remark or remark_before)
+                remark_before = remark
+                printed = replace(found, latex=latex, group=group, announced=announced)
                 if cut and before and not before.fault:
                     printed = _go_on(before, printed)
                 before = printed

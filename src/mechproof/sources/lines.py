@@ -87,6 +87,23 @@ _EXCLUDING = re.compile(
     r"|not (?:if|for|at|when|with)|au\xdfer|sonst|sauf|sinon|кроме|иначе)\b",
     re.IGNORECASE,
 )
+# Words behind an equation, in a bracket or behind a gap.
+_BEHIND = re.compile(
+    r"(?:\\q?quad(?:\s|\\[,;:! ]|~)*|(?:\\left)?\(\s*|(?=\\[a-z]+\s*\{\s*\())"
+    r"\\(?:text(?:rm|it|sf|bf)?|mbox|emph)\s*\{(?P<words>[^{}$\\<>=?]*)\}"
+    r"(?:\s*(?:\\right)?\))?[\s.,;~]*\Z"
+)
+# They are a remark if a word stands there that is no unit, and none that denies or measures.
+_PLAIN_WORD = re.compile(
+    r"\b(?!(?:\w*(?:met(?:er|re)|gram)|newton|pascal|watt|joule|degree|radian|second|minute|hour"
+    r"|hertz|inch|feet|foot|pound|turn|revolution)(?:e?s)?\b)[^\W\d_]{4}",
+    re.IGNORECASE,
+)
+_DENYING = re.compile(
+    r"\b(?:not?|never|wrong|false|incorrect|invalid|impossible|contradict\w*|in|per|units?)\b",
+    re.IGNORECASE,
+)
+_VALUE = re.compile(r"(?:[1-9]|\d\.?0)\s*\Z")
 _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|at|when|where|with)\b")
 
 
@@ -233,6 +250,20 @@ def _drop_remarks(latex: LocatedText) -> LocatedText:
     return latex.replace(_CLOSED, lambda _: ")").replace(
         _REMARK, lambda found: found[0] if _EXCLUDING.search(found["words"]) else r"\quad("
     )
+
+
+def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
+    r"""Return an equation without the remark behind it, \quad\text{(loop 1)}, and that remark.
+
+    Behind a number words may be its unit.
+    """
+    found = _BEHIND.search(latex.string)
+    before = latex[: found.start()].strip(end=" .,;~") if found else latex
+    words = found["words"].strip(" ~.,;") if found else ""
+    is_other = _DENYING.search(words) or _EXCLUDING.search(words) or _VALUE.search(before.string)
+    if is_other or not (_PLAIN_WORD.search(words) and count_signs(before.string)):
+        return latex, ""
+    return _clean(before), f"({words.strip('()')})"
 
 
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
