@@ -45,6 +45,14 @@ def test_a_function_that_is_defined_is_read_at_other_arguments(
     assert judge(defined, wrong)[1] in ("REFUTED", "not judged")
 
 
+def test_a_letter_that_is_printed_of_time_depends_on_it_where_it_stands_bare() -> None:
+    prints = ("x(t)=a\\cos t", r"\dot x=-a\sin t", r"x^2+\dot x^2=a^2", "x(0)=a")
+    assert judge(*prints) == ["DEFINITION", *3 * ["PROVED"]]
+    assert judge(*prints[:1], r"\dot x=a\sin t", "x(0)=2a") == ["DEFINITION", *2 * ["REFUTED"]]
+    # Beside a bracket that may multiply it nothing is known.
+    assert judge(prints[0], "y=x^2", "x(b+c)=a") == ["not read", "DEFINITION", "not read"]
+
+
 def test_of_several_arguments_the_first_is_its_own() -> None:
     assert judge("f(x)=x^2", "f(u)=u^2", "f(u)=u^3") == ["DEFINITION", "PROVED", "REFUTED"]
 
@@ -71,6 +79,8 @@ def test_a_function_of_several_letters_is_known_by_its_print() -> None:
         # Nothing defines it.
         ("f(x+1)=x^2", "f(a+b)=ab"),
         ("f(x)=2", "f(a+b)=ab"),
+        # By itself, it stands for a constant.
+        ("v(t)=v+at", r"\dot v=a", "v(t)=a"),
         # It is defined for one argument: this sum, with a cosine, is none.
         (r"r(\varphi)=a\varphi", r"r(1-\cos\varphi)=b"),
         # What depends on time may be multiplied by lengths.

@@ -12,34 +12,49 @@ from mechproof.latex.latex_signs import find_close, measure_depths
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import list_letters, skip_power
 
+# What is printed behind a letter that depends on time.
+_OF_TIME = {"", "(t", "(0"}
+
 
 def find_bracketed(prints: Iterable[str]) -> frozenset[str]:
     """Return the letters that have a round bracket behind them wherever they stand."""
-    behind: dict[str, set[bool]] = defaultdict(set)
+    return frozenset(letter for letter, found in _list_brackets(prints).items() if "" not in found)
+
+
+def _list_brackets(prints: Iterable[str]) -> dict[str, set[str]]:
+    """Return the round brackets behind letters as they are printed, "" for none."""
+    behind: dict[str, set[str]] = defaultdict(set)
     for texts in _read_signs(prints):
         for letter, end in list_letters(texts):
-            place = skip_power(texts, end)
-            behind[letter].add(texts[place : place + 1] == ["("])
-    return frozenset(letter for letter, found in behind.items() if found == {True})
+            rest = texts[skip_power(texts, end) :]
+            has_bracket = rest[:1] == ["("]
+            behind[letter].add("".join(rest[: find_close(rest)]) if has_bracket else "")
+    return behind
 
 
 def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Yield the functions that equations begin with and define, and their arguments.
 
-    Each argument is a letter; one at least stands behind the sign of equality, too.
+    Each argument is a letter; one at least stands behind the sign of equality, too. A letter
+    without a bracket is its function of time, x for x(t).
     """
-    bracketed = find_bracketed(prints)
+    brackets = _list_brackets(prints)
+    bracketed = {letter for letter, found in brackets.items() if "" not in found}
+    timed = {letter for letter, found in brackets.items() if found <= _OF_TIME}
     for texts in _cut(_read_signs(prints)):
         letter, end = next(list_letters(texts), ("", 0))
         close = end + find_close(texts[end:])
         inside = texts[end + 1 : close]
         arguments = [x for x, _ in list_letters(inside)]
+        behind = {x for x, _ in list_letters(texts[close + 2 :])}
+        # By itself, v(t)=v+at, it is another letter.
+        is_timed = letter in timed and inside == ["t"] and letter not in behind
         if (
-            letter in bracketed
+            (letter in bracketed or is_timed)
             and texts[: end + 1] == [*list_signs(letter), "("]
             and texts[close + 1 : close + 2] == ["="]
             and ",".join(arguments) == "".join(inside)
-            and not {x for x, _ in list_letters(texts[close + 2 :])}.isdisjoint(arguments)
+            and not behind.isdisjoint(arguments)
         ):
             yield letter, "".join(inside)
 
