@@ -81,3 +81,17 @@ def test_a_letter_alone_in_brackets_is_defined_as_without_them() -> None:
     assert _judge("(b)=(r-p)^2", "b=r^2-2rp+p^2", "(b)=r^2-p^2") == verdicts
     block = "%% mechproof\n%% A 2x2 : map\n%% B 2x2 : map\n%% P 2x2 : map\n%% end\n"
     assert _judge("[P]=[A]([A]+[B])", "P=A^2+AB", "[P]=A^2+BA", block=block) == verdicts
+
+
+@pytest.mark.parametrize(
+    ("meaning", "outcomes"),
+    [(" : force", ["not judged"] * 2), (" : number", ["REFUTED", "PROVED"])],
+)
+def test_a_letter_in_bold_that_is_declared_without_a_size_may_be_a_vector(
+    meaning: str, outcomes: list[str]
+) -> None:
+    block = f"%% mechproof\n%% M; N : numbers\n%% \\vec r{meaning}\n%% \\vec F{meaning}\n%% end\n"
+    chains = r"M=\vec r\times\vec F=-\vec F\times\vec r", r"N=\vec r\times\vec F=\vec F\times\vec r"
+    rows = check("paper.tex", block + "".join(f"$${x}$$" for x in chains)).rows
+    assert [row.outcome for row in rows[1::2]] == outcomes
+    assert ("3x1" in rows[1].reason) == (meaning != " : number")

@@ -51,6 +51,7 @@ from mechproof.tools.processes import limit_time
 
 T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
+_NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
 _MEMBER = ", a member of a family: declare it as a letter of its own"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 # What SymPy raises where values are put in that do not fit.
@@ -173,10 +174,20 @@ class Document:
         }
 
     def find_possible_matrices(self) -> dict[sp.Basic, str]:
-        """Return the letters taken as numbers that are printed as matrices are, and how."""
+        """Return the letters taken as numbers that are printed as matrices are, and how.
+
+        So is a letter that the block declares in bold without a size, unless it says a number.
+        """
         prints = [one.latex.string for one in self.printed]
         names = self.symbols.names
         found = dict(find_possible_matrices(self.taken, prints)) if self.taken else {}
+        found |= {
+            shown_letters.name_symbol(name): name
+            for one in self.block.letters
+            for name in one.names
+            if not (one.shape or _NUMBER.search(one.meaning)) and shown_letters.is_vector(name)
+        }
+        found = {x: shown for x, shown in found.items() if x in names}
         return {names[x]: shown for x, shown in found.items() if names[x].is_Symbol}
 
     @without_estimates()

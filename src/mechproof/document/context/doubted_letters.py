@@ -33,6 +33,7 @@ from mechproof.document.judging_workers import (
 )
 from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import CONSTRAINING, Role, Task
+from mechproof.nomenclature.shown_letters import is_vector
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
@@ -160,9 +161,10 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
         letters = set[sp.Basic]().union(*(list_compared(one, at.tasks) for one in named))
         if met := sorted(letters & shown.keys(), key=str):
             holds, letter = "holds" if outcome == Verdict.PROVED.value else "differs", met[0]
+            kind, size = ("vector", "3x1") if is_vector(shown[letter]) else ("matrix", "3x3")
             reason = (
-                f"it {holds} if {letter} is a number: is it a matrix, as {shown[letter]} looks? "
-                f"Say in the block of letters what it is, {letter} 3x3 : its meaning, or "
+                f"it {holds} if {letter} is a number: is it a {kind}, as {shown[letter]} looks? "
+                f"Say in the block of letters what it is, {letter} {size} : its meaning, or "
                 f"{letter} : number"
             )
             yield n, make_row(task, reason)
