@@ -38,7 +38,7 @@ def test_bad_usage_is_2(arguments: list[str]) -> None:
 
 def test_the_rule_stands_in_the_help() -> None:
     for arguments in (["--help"], ["verify", "--help"], ["regenerate", "--help"]):
-        assert "else those that come with the package" in " ".join(run(*arguments).output.split())
+        assert "else from the package" in " ".join(run(*arguments).output.split())
 
 
 @pytest.mark.slow
@@ -116,7 +116,7 @@ def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> 
     written = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
     refused = run(*second)
     assert refused.exit_code == 2
-    assert "is there and holds something else; --name gives" in " ".join(refused.output.split())
+    assert "is there and holds something else; give the new" in " ".join(refused.output.split())
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == written
     assert run(*first).exit_code == 0
     assert run(*second, "--name", "drive_ratio").exit_code == 0

@@ -61,10 +61,10 @@ def test_a_derivation_of_its_own_is_proved_and_its_kernel_written(folder: Path) 
 @pytest.mark.parametrize(
     ("file", "told"),
     [
-        ("crank.tex", "is there already"),
+        ("crank.tex", "exists already"),
         ("crank.txt", "must end in .tex"),
         ("two words.py", "letters, digits and underscores"),
-        ("kernels.py", "none of compiled, derivatives, forms, kernels"),
+        ("kernels.py", "must not be compiled, derivatives, forms, kernels"),
     ],
 )
 def test_nothing_is_overwritten_and_bad_names_are_refused(

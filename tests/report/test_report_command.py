@@ -110,9 +110,9 @@ def test_only_what_occurs_is_explained(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("out", "says"),
     [
-        ("{}/taken", "{}/taken is no folder"),
-        ("{}/taken/deeper/pages", "{}/taken is no folder"),
-        ("{}/dangling", "{}/dangling is no folder"),
+        ("{}/taken", "{}/taken is not a folder"),
+        ("{}/taken/deeper/pages", "{}/taken is not a folder"),
+        ("{}/dangling", "{}/dangling is not a folder"),
         ("", "is empty"),
         ("/proc/pages", "cannot write to /proc"),
     ],

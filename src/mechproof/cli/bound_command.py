@@ -27,47 +27,53 @@ def bound(
         list[str],
         typer.Argument(
             metavar="FILE.fpcore ... | EXPRESSION",
-            help="Files of FPCore; or LaTeX: an expression, or an equation whose right side it is.",
+            help="FPCore files; or LaTeX: an expression, or an equation for its right side.",
         ),
     ],
     where: Annotated[
-        options.Texts, typer.Option("--where", help="Between which numbers a letter lies: 1<=x<=2.")
+        options.Texts, typer.Option("--where", help="The range of a letter: 1<=x<=2.")
     ] = None,
     values: options.Values = None,
     names: options.Names = None,
     factors: options.Factors = None,
     relative: Annotated[
-        bool, typer.Option("--relative", help="Bound the error over the exact value.")
+        bool,
+        typer.Option(
+            "--relative", help="Bound the relative error: the error over the exact value."
+        ),
     ] = False,
     rounded_inputs: Annotated[
         bool,
         typer.Option(
-            "--rounded-inputs", help="Inputs are real numbers that are rounded, not doubles."
+            "--rounded-inputs",
+            help="Take the inputs as real numbers, to be rounded first, not as doubles.",
         ),
     ] = False,
     ulps: Annotated[
         float,
         typer.Option(
-            "--ulps", metavar="N", help="What sin, exp and their like are off by at most."
+            "--ulps", metavar="N", help="The largest error of sin, exp and the like, in ulps."
         ),
     ] = 1.0,
     tolerance: Annotated[
         float,
-        typer.Option("--tolerance", metavar="SHARE", help="To what share a bound is narrowed."),
+        typer.Option(
+            "--tolerance",
+            metavar="SHARE",
+            help="How close, as a share, a bound is brought to the best one.",
+        ),
     ] = bounding.TOLERANCE,
     parts: Annotated[
         int,
-        typer.Option(
-            "--parts", metavar="N", min=1, help="The most parts that a box is divided in."
-        ),
+        typer.Option("--parts", metavar="N", min=1, help="Divide the box into at most N parts."),
     ] = bounding.PARTS,
     table: Annotated[
         Path | None,
         typer.Option(
             "--table",
             metavar="PAGE.md",
-            help="Write a page instead: these bounds beside those of Gappa and FPTaylor, where "
-            "installed, and of cited.json beside the first file.",
+            help="Write a page that compares these bounds with those of Gappa and FPTaylor, where "
+            "they are installed, and with those in cited.json beside the first file.",
         ),
     ] = None,
     coq: Annotated[
@@ -75,7 +81,7 @@ def bound(
         typer.Option(
             "--coq",
             metavar="FOLDER",
-            help="Have Coq prove the bounds, too, and write the scripts that it accepts.",
+            help="Also have Coq prove the bounds, and write the scripts that it accepts.",
         ),
     ] = None,
     json_file: Annotated[
@@ -84,12 +90,12 @@ def bound(
 ) -> None:
     """Prove how far rounding moves what straight-line programs compute in doubles.
 
-    A file of FPCore says each program and, by :pre, the box of its arguments; an expression is
-    computed as it would be emitted, its letters where --where says. What is proved holds for every
-    input of the box; the worst input that a search finds stands beside it.
+    An FPCore file gives each program and, by :pre, the box of its arguments. An expression is
+    computed as it would be emitted; --where gives the ranges of its letters. The proved bound holds
+    for every input in the box. The worst input that a search finds is printed beside it.
 
-    Exit status 0: all are bounded; 1: one is not; 2: bad usage, or what cannot be read or is not
-    straight-line.
+    Exit status 0: every program is bounded; 1: one is not; 2: bad usage, or a program that cannot
+    be read or is not straight-line.
     """
     options.clear_json(json_file)
     try:
@@ -139,7 +145,7 @@ def _prove(
 
 def _write_table(page: Path, sources: list[str], boundings: list[bounding.Bounding]) -> None:
     if not sources[0].endswith(bounding.FPCORE) or page.suffix != ".md":
-        refuse(f"--table {page}: a page is called .md, and is of files of FPCore")
+        refuse(f"--table {page}: the page must end in .md, and the sources must be FPCore files")
     with show_progress("comparing bounds") as report:
         text = compare(boundings, Path(sources[0]).parent / CITED, report)
     try:
@@ -154,12 +160,10 @@ def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[bounding.Bo
     if len(files) < len(sources):
         if len(sources) > 1:
             other = next(source for source in sources if source not in files)
-            refuse(
-                f"{other}: no file of FPCore by its name; an expression is given alone, in quotes"
-            )
+            refuse(f"{other}: is not named as an FPCore file; give an expression alone, in quotes")
         return [bounding.read_pasted(pasted)]
     if is_said:
-        refuse("what is said of the arguments of a file stands in its :pre")
+        refuse("a file gives the ranges of its arguments itself, in :pre")
     return [one for file in files for one in bounding.read_boundings(Path(file))]
 
 

@@ -30,22 +30,23 @@ def certify(
     papers: options.Papers = None,
     out: Annotated[
         Path,
-        typer.Option(metavar="FOLDER", help="The folder that the scripts go to.", parser=read_out),
+        typer.Option(metavar="FOLDER", help="The folder to write the scripts to.", parser=read_out),
     ] = Path("coq"),
     check: Annotated[
-        bool, typer.Option("--check", help="Have Coq check them, and write the coverage page.")
+        bool,
+        typer.Option("--check", help="Have Coq check the scripts, and write the coverage page."),
     ] = False,
     record: Annotated[
         bool,
         typer.Option(
             "--record",
-            help="With --check: keep page and digests in DIR/../generated, and take over what "
-            "is recorded there and has not changed.",
+            help="With --check: record page and digests in DIR/../generated, and do not check "
+            "again what is recorded there and has not changed.",
         ),
     ] = False,
     one_in: Annotated[
         int,
-        typer.Option("--one-in", metavar="N", min=1, help="Have every N-th script checked alone."),
+        typer.Option("--one-in", metavar="N", min=1, help="Have only every N-th script checked."),
     ] = 1,
     functions: Annotated[
         bool,
@@ -60,26 +61,26 @@ def certify(
 ) -> None:
     """Write a Coq script for every row that is PROVED, REFUTED or CONDITIONAL, for `make`.
 
-    Each states its row in the letters of the paper, with the domain as hypotheses, and is read
-    back from its text and compared with the row before it is written. What Coq refuses by the
-    record is left out. With --check all scripts are checked, those that Coq does not accept are
-    removed, and COQ.md says of every row which file it has, or why it has none. With --functions
-    Coq proves of sine, cosine, tangent and small arctangent, as compiled kernels compute them, how
-    far roundings move them, and how far their polynomials are from them.
+    Each script states its row in the letters of the paper, with the domain as hypotheses. Before
+    it is written, its text is read back and compared with the row. Scripts that Coq is recorded to
+    refuse are left out. With --check, Coq checks all scripts, those that it does not accept are
+    removed, and COQ.md lists the file of every row, or why it has none. With --functions, Coq
+    proves error bounds of sine, cosine, tangent and small arctangent as compiled kernels compute
+    them: what rounding adds, and how far their polynomials are off.
 
-    Exit status 0: written, and as recorded where there is a record; 1: Coq is not installed, or
-    does not accept a script that is recorded as accepted, a row hangs or crashes, or a derivation
-    fails, or no bound of a function is proved; 2: bad usage.
+    Exit status 0: the scripts are written, and agree with the record if there is one; 1: Coq is not
+    installed, or does not accept a script that is recorded as accepted; a row hangs or crashes, or
+    a derivation fails; or a function has no proved bound; 2: bad usage.
     """
     from mechproof.pipeline.row_scripts import certify as certify_papers
 
     if functions:
         if papers or check or record or one_in > 1:
-            refuse("--functions: with no paper, and without --check, --record and --one-in")
+            refuse("--functions: takes no paper, nor --check, --record or --one-in")
         _prove_functions(out)
         return
     if record and (not check or one_in > 1 or papers):
-        refuse("--record: with --check, of all papers and all their scripts")
+        refuse("--record: needs --check, and all scripts of all papers")
     places = find_places(derivations, None)
     stages = certify_papers(
         find_locations(papers or (), places, SUFFIXES),
@@ -112,14 +113,10 @@ def _prove_functions(out: Path) -> None:
     for one in found:
         told = f"no proof in Coq: {one.reason}"
         if one.bound is not None:
-            off = (
-                ""
-                if one.off is None
-                else f", without them off by {float(one.off) / EPS:g} eps at most"
-            )
-            told = (
-                f"roundings at most {float(one.bound) / EPS:.{DIGITS}g} eps{off} ({out / one.file})"
-            )
+            told = f"rounding adds at most {float(one.bound) / EPS:.{DIGITS}g} eps"
+            if one.off is not None:
+                told += f", its polynomial is off by at most {float(one.off) / EPS:g} eps"
+            told += f" ({out / one.file})"
         say(f"{one.name}: {told}")
     if not all(one.file for one in found):
         raise typer.Exit(1)
@@ -129,7 +126,7 @@ def _tell(done: Certified, out: Path) -> None:
     if done.coverage is None:
         say(f"{out}: {done.written} scripts of {done.rows} rows; `make -C {out}` checks them")
         if done.left_out:
-            say(f"left out: {done.left_out} scripts that Coq refuses by the record")
+            say(f"left out: {done.left_out} scripts that Coq is recorded to refuse")
         return
     say(done.coverage.count())
     if done.lost:

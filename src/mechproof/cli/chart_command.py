@@ -16,17 +16,17 @@ from mechproof.measured import MADE_BY, Record, find_all_files, find_files, goes
 
 def figures(
     systems: Annotated[
-        list[str] | None, typer.Argument(help="Systems, or folders of derivations; all if none.")
+        list[str] | None, typer.Argument(help="Systems, or folders of derivations; by default all.")
     ] = None,
     out: options.Pictures = Path("figures"),
     derivations: options.Derivations = None,
 ) -> None:
-    """Draw the papers' figures from the kernels, with what was found marked in them.
+    """Draw the papers' figures from the kernels, with the findings marked in them.
 
-    Each is written with its caption as PNG and SVG, SYSTEM.FIGURE.png; what is printed is the file
+    Each is written with its caption as PNG and SVG, SYSTEM.FIGURE.png; the command prints each file
     and what it shows. A folder has figures if its pictures.py binds FIGURES.
 
-    Exit status 0: drawn; 1: a derivation or a drawing fails, the others are drawn; 2: bad usage.
+    Exit status 0: drawn; 1: a derivation or a drawing fails (the others are drawn); 2: bad usage.
     """
     from mechproof.plot.figures import DrawingError, find_figures, write_files
 
@@ -38,7 +38,7 @@ def figures(
             failures.append(str(error))
             continue
         if systems and not found:
-            failures.append(f"{location}: has no pictures.py, and so no figures")
+            failures.append(f"{location}: has no pictures.py, so no figures")
         for figure in found:
             try:
                 files = write_files(figure, out, f"{location.stem}.{figure.name}")
@@ -65,15 +65,18 @@ def chart(
     out: options.Pictures = Path("charts"),
     measured: Annotated[
         Path | None,
-        typer.Option(help="A folder of records; left out: ./generated, then the package."),
+        typer.Option(help="A folder of records; by default ./generated, then the package's."),
     ] = None,
     overview: Annotated[
-        bool, typer.Option("--overview", help="One picture of all instead of one for each.")
+        bool,
+        typer.Option(
+            "--overview", help="Draw one picture of all quantities instead of one for each."
+        ),
     ] = False,
 ) -> None:
     """Draw time against error from the records, and jumps between branches.
 
-    Records hold no jumps: they are computed anew, for the quantities of this installation. Every
+    Jumps are not in the records but are computed again, for the quantities installed here. Every
     picture is written as PNG and SVG; the overview has a small panel for each quantity.
 
     Exit status 0: drawn; 2: bad usage.

@@ -48,24 +48,27 @@ def check(
         list[str],
         typer.Argument(
             metavar="FILE ... | EQUATION",
-            help="Papers, .tex or .md, - for stdin; or LaTeX: an equation, a chain or a relation, "
-            "its condition behind it: |x|=x, x>0. One that begins with a minus stands behind --.",
+            help="Papers, .tex or .md, - for stdin; or one equation, chain or relation in LaTeX, "
+            "a condition after it: |x|=x, x>0. Write -- before one that begins with a minus.",
         ),
     ],
     names: options.Names = None,
     factors: options.Factors = None,
     where: Annotated[
-        options.Texts, typer.Option("--where", help="In which it is meant: 0<x<1, A+B+C=\\pi.")
+        options.Texts, typer.Option("--where", help="The domain: 0<x<1, A+B+C=\\pi.")
     ] = None,
     values: options.Values = None,
     natural: Annotated[
-        options.Texts, typer.Option("--natural", help="A letter that counts from 1: n.")
+        options.Texts, typer.Option("--natural", help="A letter that stands for 1, 2, 3, …: n.")
     ] = None,
     start: Annotated[
-        str, typer.Option("--from", help="Where integrals without limits start: 0.")
+        str, typer.Option("--from", help="The lower limit of integrals without limits: 0.")
     ] = "",
     draft: Annotated[
-        bool, typer.Option("--draft", help="Print a block of letters for a paper; judge nothing.")
+        bool,
+        typer.Option(
+            "--draft", help="Print a first block of letters for the paper; judge nothing."
+        ),
     ] = False,
     show_all: Annotated[
         bool, typer.Option("--all", help="Show the details of every row of a paper.")
@@ -73,19 +76,22 @@ def check(
     fail_on: options.FailOn = None,
     json_file: options.Rows = None,
     limit: Annotated[
-        float, typer.Option("--limit", metavar="SECONDS", min=0, help="What takes longer fails.")
+        float,
+        typer.Option(
+            "--limit", metavar="SECONDS", min=0, help="Give up an equation after so long."
+        ),
     ] = LIMIT,
 ) -> None:
     """Judge the equations of papers, or one pasted equation.
 
-    A paper declares its letters in a block of comments, `%% mechproof` to `%% end`; --draft writes
-    one. What is printed first of a letter defines it; later prints, derivatives and the steps of
-    chains are compared. What is no name of a file is an equation.
+    A paper declares its letters in a block of comments, from `%% mechproof` to `%% end`; --draft
+    writes a first one. The first print of a letter defines it; later prints, derivatives and the
+    steps of chains are compared with it. An argument that names no file is read as an equation.
 
-    Exit status 0: every sign is PROVED, a DEFINITION or a CONVENTION, or its row is skipped by the
-    block; 1: one is not, not-read and ENCLOSED among them, or what --fail-on names, or an equation
-    takes too long or crashes; 2: bad usage, an empty domain, a paper without a displayed equation,
-    or a pasted equation cannot be read without a guess.
+    Exit status 0: every relation is PROVED, a DEFINITION or a CONVENTION, or the block skips its
+    row; 1: one is not (a row that is ENCLOSED or not read counts), or has an outcome that --fail-on
+    names, or takes too long or crashes; 2: bad usage, an empty domain, a paper without a displayed
+    equation, or a pasted equation that cannot be read without guessing.
     """
     outcomes = options.read_outcomes(fail_on, DEFAULT)
     said = {"where": where, "values": values, "names": names, "factors": factors}
@@ -93,7 +99,7 @@ def check(
     options.clear_json(json_file)
     if files := _find_files(equations):
         if start or any(said.values()):
-            refuse("what is said of the letters of a paper stands in its block of letters")
+            refuse("of a paper, letters are declared in its block of letters, not by options")
         met = _check_files(files, draft=draft, show_all=show_all, json_file=json_file, limit=limit)
     elif draft:
         refuse("--draft needs a paper")
@@ -110,7 +116,7 @@ def _find_files(equations: list[str]) -> list[str]:
         return files
     if files or len(equations) > 1:
         other = next(text for text in equations if text not in files)
-        refuse(f"{other}: there is no such file; an equation is given alone, in quotes")
+        refuse(f"{other}: there is no such file; give an equation alone, in quotes")
     if equations[0].endswith(SUFFIXES):
         refuse(f"{equations[0]}: there is no such file")
     return []
@@ -161,8 +167,8 @@ def _judge(pasted: Pasted, limit: float) -> Checked:
         refuse(str(error))
     except WorkerError as error:
         fail(
-            f"the equation: {error}; a larger --limit, --natural for letters that count, or "
-            "--where for what restricts them may help"
+            f"the equation: {error}; a larger --limit may help, or --natural for letters that are "
+            "natural numbers, or --where for conditions"
         )
 
 

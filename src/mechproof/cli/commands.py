@@ -46,12 +46,14 @@ app = typer.Typer(
     add_completion=False,
     help=f"Prove or refute the formulas of mechanism papers; generate kernels from them.\n\n{RULE}",
     pretty_exceptions_show_locals=False,
+    # Unlike the default, it fills the lines of a paragraph.
+    rich_markup_mode="markdown",
 )
 # Command -> what it does; the words in capitals stand for what is here.
 EXAMPLES = {
     "verify": "judge all papers: findings first",
-    "verify SYSTEM": "judge one, with --all every row",
-    "new FILE.py": "begin a paper of your own, or FILE.tex",
+    "verify SYSTEM": "judge one; --all shows every row",
+    "new FILE.py": "begin a paper of your own (or FILE.tex)",
     "verify FILE.py": "judge it",
     "report": "all of it as pages for a browser",
     r"check '\sin 2x=2\sin x'": "judge one equation",
@@ -59,7 +61,7 @@ EXAMPLES = {
     "chart QUANTITY": "time against error",
     "emit c KERNELS --out c": "kernels as C99",
     "measure --quick": "accuracy and speed on this machine",
-    "regenerate --check": "is what is generated up to date?",
+    "regenerate --check": "are the generated files up to date?",
 }
 
 
@@ -101,11 +103,13 @@ def verify(
     papers: options.Papers = None,
     json_file: options.Rows = None,
     show_all: Annotated[
-        bool, typer.Option("--all", help="Show every row, with the evidence where there is any.")
+        bool, typer.Option("--all", help="Show every row, with its evidence.")
     ] = False,
     show_findings: Annotated[
         bool,
-        typer.Option("--findings", help="Show of each finding what is right, why, and its cost."),
+        typer.Option(
+            "--findings", help="Show for each finding what is right, why, and what the error costs."
+        ),
     ] = False,
     derivations: options.Derivations = None,
     root: options.Root = None,
@@ -115,11 +119,13 @@ def verify(
 ) -> None:
     """Judge every row of the papers; print a line for each finding, the gravest first, and totals.
 
-    Of a paper's own source (LaTeX or Markdown) what needs no mechanics is judged, as by `check`.
+    A paper's own source (LaTeX or Markdown) is judged as by `check`: as far as no mechanics is
+    needed.
 
     Exit status 0: every row is decided and every kernel is PROVED; 1: a row is UNDECIDED, not read
-    or not judged, or what --fail-on names instead, a kernel is not PROVED (rivals may be wrong:
-    they are named as such), a row hangs or crashes, or a derivation fails; 2: bad usage.
+    or not judged (or has an outcome that --fail-on names instead), a kernel is not PROVED (rivals
+    may be wrong: they are named as such), a row hangs or crashes, or a derivation fails; 2: bad
+    usage.
     """
     outcomes = options.read_outcomes(fail_on, UNDECIDED)
     locations = find_locations(papers or (), find_places(derivations, root), SUFFIXES)
@@ -145,7 +151,7 @@ def regenerate(
     ] = False,
     better: Annotated[
         bool,
-        typer.Option("--improve", help="First search for better forms, as improve --write does."),
+        typer.Option("--improve", help="Search for better forms first, as improve --write does."),
     ] = False,
     derivations: options.Derivations = None,
     root: options.Root = None,
@@ -154,21 +160,23 @@ def regenerate(
 ) -> None:
     """Write kernels, certificates and the ledger of DIR into DIR/../generated.
 
-    Only what was generated is replaced or removed, and only while it is as it was generated:
-    mechproof-generated.sha256 there lists it. Every kernel is read back from its source, has to be
-    PROVED (exactly, or within its bound), and is run against the oracle first; the bounds of the
-    certificates are proved anew.
+    Only generated files are replaced or removed, and only if nobody has edited them since:
+    mechproof-generated.sha256 lists them. Before anything is written, every kernel is read back
+    from its source, must be PROVED (exactly, or within its bound) and is run against the oracle,
+    and the bounds of the certificates are proved again.
 
-    Exit status 0: nothing to do or written; 1: with --check, a file is missing, surplus or
+    Exit status 0: written, or nothing to do; 1: with --check, a file is missing, superfluous or
     different; a file that was edited or not generated is in the way; a kernel is not PROVED, or
-    computes something else than its derivation; a row hangs or crashes, or a derivation fails;
+    does not compute what its derivation says; a row hangs or crashes, or a derivation fails;
     2: bad usage.
     """
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():
-        refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
+        refuse(
+            "there is no folder derivations here: change to its parent, or give --derivations DIR"
+        )
     if better and check:
-        refuse("--improve and --check: give one of them, a check writes nothing")
+        refuse("--improve and --check: give only one of them; a check writes nothing")
     if better:
         offer_forms((), places, write=True, limit=SEARCH_LIMIT)
     from mechproof.pipeline import stages
@@ -195,14 +203,15 @@ def regenerate(
         raise typer.Exit(1)
     if done.systems and not (check or places.is_packaged):
         folder, package = places.generated.absolute().parent, places.generated.name
-        say(f"in Python started in {folder}: from {package} import {', '.join(done.systems)}")
+        say(f"in Python, started in {folder}: from {package} import {', '.join(done.systems)}")
 
 
 @app.command(epilog=RULE)
 def measure(
     quantities: options.Quantities = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Few points, short times: seconds for a quantity.")
+        bool,
+        typer.Option("--quick", help="Take few points and short timings: seconds per quantity."),
     ] = False,
     processes: Annotated[
         int,
@@ -213,8 +222,8 @@ def measure(
 ) -> None:
     """Measure accuracy and time of all ways to compute; write DIR/../generated/measured.
 
-    `mechproof chart` draws what was measured. A quick run writes into its folder `quick`, which
-    `chart` and `choose` read only when told to. Times are taken alone, whatever N is.
+    `mechproof chart` draws what was measured. A quick run writes into the folder `quick` there,
+    which `chart` and `choose` read only if told to. Times are always taken in one process.
 
     Exit status 0: measured; 1: a derivation fails; 2: bad usage.
     """

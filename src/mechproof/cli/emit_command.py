@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 
 Sizes = dict[str, float | tuple[float, ...]]
 
-app = typer.Typer(help="Write kernels for other languages.", no_args_is_help=True)
+app = typer.Typer(
+    help="Write kernels for other languages.", no_args_is_help=True, rich_markup_mode="markdown"
+)
 
 
 @app.command(name="c")
@@ -36,57 +38,67 @@ def emit_c(
     systems: options.Systems = None,
     out: Annotated[
         Path,
-        typer.Option(metavar="FOLDER", help="The folder that the files go to.", parser=read_out),
+        typer.Option(metavar="FOLDER", help="The folder to write the files to.", parser=read_out),
     ] = Path("c"),
     float32: Annotated[
-        bool, typer.Option("--float32", help="Compute in float, for processors without double.")
+        bool,
+        typer.Option(
+            "--float32", help="Compute in float, for processors without double precision."
+        ),
     ] = False,
     derivatives: Annotated[
-        bool, typer.Option("--derivatives", help="The derivatives by every argument instead.")
+        bool,
+        typer.Option(
+            "--derivatives", help="Write the derivatives with respect to every argument instead."
+        ),
     ] = False,
     error: Annotated[
         float | None,
-        typer.Option("--error", help="Tailor one SYSTEM.QUANTITY to this absolute error."),
+        typer.Option("--error", help="Tailor one SYSTEM.QUANTITY to this absolute error bound."),
     ] = None,
     let: Annotated[
         list[str] | None,
-        typer.Option("--let", metavar="NAME=VALUE", help="With --error: a size, or LOW:HIGH."),
+        typer.Option(
+            "--let",
+            metavar="NAME=VALUE",
+            help="With --error: the value of a parameter, or its range LOW:HIGH.",
+        ),
     ] = None,
     name: Annotated[
         str | None,
         typer.Option(
             "--name",
-            help="With --error: what the files, and before the quantity the functions, are "
-            "called; SYSTEM_tailored if left out.",
+            help="With --error: the name of the files, and the prefix of the functions; by default "
+            "SYSTEM_tailored.",
         ),
     ] = None,
     derivations: options.Derivations = None,
 ) -> None:
-    """Write a header and a source in C99 for each system; they need <math.h> and <stddef.h>.
+    """Write a header and a source in C99 for each system; they need `<math.h>` and `<stddef.h>`.
 
-    A Makefile beside them makes shared libraries.
+    A Makefile beside them builds shared libraries; link with -lm.
 
-    Each kernel is a function of one point, and one with _array after its name of many. Sums over
-    axes of any length take the number of their terms first. Quantities that are computed in one
-    pass are stored by pointers. Link with -lm.
+    Each kernel is a function of one point; the function with _array after its name takes many.
+    Sums over axes of any length take the number of their terms first. Quantities that are computed
+    in one pass are returned through pointers.
 
-    With --derivatives the functions are called SYSTEM_derivatives_QUANTITY and store one number
-    for each argument, in files of their own.
+    With --derivatives the functions are called SYSTEM_derivatives_QUANTITY, store one number for
+    each argument, and are written to files of their own.
 
-    With --error a kernel for fixed sizes is written, as cheap as the error permits:
-    elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of
-    the running variable is --let phi1=0:10. A file that holds something else is not overwritten:
-    --name gives a second kernel its own.
+    With --error a kernel for fixed parameters is written, as cheap as the error permits:
+    elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475, with
+    --let phi1=0:10 for the range of the running variable. A file that holds something else is not
+    overwritten: give a second kernel another --name.
 
-    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
+    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows.
 
-    Exit status 0: written; 1: a kernel is not PROVED, a derivation fails, or has no kernel for C;
+    Exit status 0: written; 1: a kernel is not PROVED, or a derivation fails or has no kernel for C;
     2: bad usage.
     """
     if error is None and (let or name is not None):
         refuse(f"{'--let' if let else '--name'} goes with --error")
     if float32 + derivatives + (error is not None) > 1:
-        refuse("--error, --float32 and --derivatives do not go with each other")
+        refuse("--error, --float32 and --derivatives exclude each other")
     if error is not None:
         folder = _find_folder(systems or [], find_places(derivations, None))
         _emit_tailored(systems or [], error, _read_sizes(let or []), out, name, folder)
@@ -103,9 +115,9 @@ def emit_c(
 
 # What is written of a system, by the name of the command.
 SCRIPTS = {
-    "octave": "Write each kernel as a function file of Octave or MATLAB, of numbers or arrays.",
-    "array-api": "Write functions of arrays for each system, for JAX, PyTorch and others.",
-    "javascript": "Write a module of JavaScript for each system, functions of numbers.",
+    "octave": "Write each kernel as a function file for Octave or MATLAB, for numbers or arrays.",
+    "array-api": "Write array functions for each system, for JAX, PyTorch and others.",
+    "javascript": "Write a JavaScript module for each system, with functions of numbers.",
     "structured-text": "Write functions of Structured Text (IEC 61131-3) for each system.",
 }
 
@@ -116,7 +128,7 @@ def _add_script(language: str, text: str) -> None:
         out: Annotated[
             Path | None,
             typer.Option(
-                metavar="FOLDER", help="The folder that the files go to.", parser=read_out
+                metavar="FOLDER", help="The folder to write the files to.", parser=read_out
             ),
         ] = None,
         derivations: options.Derivations = None,
@@ -132,11 +144,12 @@ def _add_script(language: str, text: str) -> None:
 
     emit.__doc__ = f"""{text}
 
-    They are the operations of the NumPy kernels, with the functions of the language's own library;
-    where there is no fused multiply-add, rests of products come from error-free products. What the
-    language cannot compute, or its compilers may spoil, is left out by name.
+    The operations are those of the NumPy kernels, with the functions of the language's own library.
+    Where there is no fused multiply-add, rounding errors of products come from error-free products.
+    Kernels that the language cannot compute, or that its compilers may spoil, are left out and
+    named.
 
-    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
+    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows.
 
     Exit status 0: written; 1: a kernel is not PROVED, or a derivation fails; 2: bad usage.
     """
@@ -183,7 +196,7 @@ def _emit_tailored(
     try:
         files = kernel.write_c(out, name=called)
     except FileExistsError as there:
-        refuse(f"--out: {there}; --name gives the new ones another name")
+        refuse(f"--out: {there}; give the new ones another --name")
     except ValueError as wrong:
         refuse(f"--{wrong}")
     except OSError as failed:
@@ -196,7 +209,7 @@ def _read_sizes(texts: list[str]) -> Sizes:
     sizes: Sizes = {}
     for name, value in map(_read_size, texts):
         if name in sizes:
-            refuse(f"--let {name}: given twice, a parameter has one value or one range")
+            refuse(f"--let {name}: given twice; a parameter has one value or one range")
         sizes[name] = value
     return sizes
 

@@ -21,28 +21,26 @@ SEARCH_LIMIT = 300.0
 def improve(
     quantities: Annotated[
         list[str] | None,
-        typer.Argument(help="Quantities, systems, system.quantity or a file FILE.py; all if none."),
+        typer.Argument(help="Quantities, systems, system.quantity or FILE.py; by default all."),
     ] = None,
     write: Annotated[
         bool,
-        typer.Option("--write", help="Keep what is found beside the derivation, to be shipped."),
+        typer.Option("--write", help="Keep the forms found beside the derivation, to be shipped."),
     ] = False,
     derivations: options.Derivations = None,
     root: options.Root = None,
     limit: Annotated[
         float,
-        typer.Option(
-            "--limit", metavar="SECONDS", min=0, help="A search that takes longer is given up."
-        ),
+        typer.Option("--limit", metavar="SECONDS", min=0, help="Give up a search after so long."),
     ] = SEARCH_LIMIT,
 ) -> None:
     """Search the named rewrites for forms that lose fewer digits than those that are shipped.
 
-    Each shipped form is compared with its definition, rewritten, on points chosen to hurt. A form
-    is offered only if its source is PROVED to compute the definition, and is measured on other
-    points than it was chosen on. --write keeps what is offered in FILE.forms.json beside the
-    derivation (forms.json in a folder), from where `regenerate` takes it; what was shipped becomes
-    a rival. `mechproof regenerate --improve` does both.
+    Each shipped form is compared with rewritten forms of its definition on points chosen to hurt. A
+    form is offered only if its source is PROVED to compute the definition; its error is measured on
+    other points than those it was chosen on. --write keeps the offered forms in FILE.forms.json
+    beside the derivation (forms.json in a folder), where `regenerate` finds them; the form shipped
+    before becomes a rival. `mechproof regenerate --improve` does both.
 
     Exit status 0: searched; 1: a search fails or takes too long, or a derivation fails; 2: bad
     usage.

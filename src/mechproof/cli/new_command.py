@@ -24,24 +24,24 @@ def new(
         Path, typer.Argument(metavar="FILE.py|FILE.tex", help="The file to be written.")
     ],
 ) -> None:
-    """Write a small paper to begin with, which verifies.
+    """Write a small paper that verifies, to begin with.
 
-    FILE.tex is a source with its block of letters, FILE.py a derivation with a row and a kernel;
-    where a source of its name lies beside it, it takes letters and prints from there.
+    FILE.tex is a source with its block of letters; FILE.py is a derivation with a row and a kernel,
+    which takes letters and prints from a source of the same name if there is one beside it.
 
-    Exit status 0: written; 2: the file is there already, or its name is not allowed.
+    Exit status 0: written; 2: the file exists already, or its name is not allowed.
     """
     if file.exists():
-        hint = "; --draft of `mechproof check` writes the block of letters for it"
-        refuse(f"{file}: is there already{hint if file.suffix == '.tex' else ''}")
+        hint = "; `mechproof check --draft` writes a block of letters for it"
+        refuse(f"{file}: exists already{hint if file.suffix == '.tex' else ''}")
     if file.suffix == ".tex":
         write_whole(file, SKELETONS.joinpath("paper.tex").read_text(encoding="utf-8"))
         say(f"{file}: written; mechproof check {file}")
         return
     if file.suffix != ".py" or not is_name(file.stem) or file.stem in RESERVED:
         refuse(
-            f"{file}: must end in .tex for a paper, in .py for a derivation, whose name has "
-            f"letters, digits and underscores only and is none of {', '.join(RESERVED)}"
+            f"{file}: must end in .tex for a paper or in .py for a derivation, whose name may "
+            f"have letters, digits and underscores only and must not be {', '.join(RESERVED)}"
         )
     write_whole(file, _write_derivation(file))
     say(f"{file}: written; mechproof verify {file}")

@@ -24,9 +24,9 @@ from mechproof.tools.files import write_whole
 console = Console(highlight=False, emoji=False)
 errors = Console(stderr=True, highlight=False, emoji=False)
 RULE = (
-    "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
-    "those of the folder ./derivations if there is one, else those that come with the package. "
-    "What is generated from DIR lies in DIR/../generated."
+    "Derivations are taken from --derivations DIR (or ROOT/derivations with --root ROOT), else "
+    "from the folder ./derivations if there is one, else from the package. What is generated from "
+    "DIR goes to DIR/../generated."
 )
 
 
@@ -81,7 +81,7 @@ class Places:
 def find_places(derivations: Path | None, root: Path | None) -> Places:
     """Apply the rule; an option that names no folder is refused."""
     if derivations and root:
-        refuse("--derivations and --root: give one of them")
+        refuse("--derivations and --root: give only one of them")
     if root:
         return _check(root / "derivations", f" --root {root}")
     if derivations:
@@ -100,12 +100,12 @@ def _check(derivations: Path, options: str) -> Places:
 def read_out(text: str | Path, is_file: bool = False) -> Path:
     """Return the folder or file that --out names, there or not; refuse what cannot be written."""
     if not str(text):
-        refuse(f"--out: is empty, a {'file' if is_file else 'folder'} is needed")
+        refuse(f"--out: is empty; a {'file' if is_file else 'folder'} is needed")
     target = Path(text)
     places = target.parents if is_file else (target, *target.parents)
     nearest = next(place for place in places if os.path.lexists(place))
     if not nearest.is_dir():
-        refuse(f"--out {target}: {nearest} is no folder")
+        refuse(f"--out {target}: {nearest} is not a folder")
     try:
         with TemporaryFile(dir=nearest):
             return target
@@ -147,24 +147,26 @@ def find_locations(names: Iterable[str], places: Places, sources: Sequence[str] 
 
 
 Texts = list[str] | None
-Names = Annotated[Texts, typer.Option("--name", help="A print that is one quantity: AC.")]
+Names = Annotated[
+    Texts, typer.Option("--name", help="A name of several letters for one quantity: AC.")
+]
 Factors = Annotated[
-    Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
+    Texts, typer.Option("--factor", help="A letter that multiplies the bracket after it: a(1+e).")
 ]
 Values = Annotated[Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")]
 Papers = Annotated[
     Texts,
     typer.Argument(
         metavar="[PAPER] ...",
-        help="Systems, files FILE.py, folders of derivations, or papers FILE.tex; all systems if "
-        "none.",
+        help="Systems, files FILE.py, folders of derivations, or papers FILE.tex; by default all "
+        "systems.",
     ),
 ]
 Systems = Annotated[
-    Texts, typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none.")
+    Texts, typer.Argument(help="Systems, files FILE.py or folders of derivations; by default all.")
 ]
 Quantities = Annotated[
-    Texts, typer.Argument(help="Quantities, systems or system.quantity; all if none.")
+    Texts, typer.Argument(help="Quantities, systems or system.quantity; by default all.")
 ]
 Derivations = Annotated[
     Path | None,
@@ -177,7 +179,10 @@ Root = Annotated[
     ),
 ]
 NoCache = Annotated[
-    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
+    bool,
+    typer.Option(
+        "--no-cache", help="Judge every row again; neither read nor keep stored verdicts."
+    ),
 ]
 Limit = Annotated[
     float,
@@ -185,13 +190,13 @@ Limit = Annotated[
         "--limit",
         metavar="SECONDS",
         min=0,
-        help="A row that takes longer is an error, no verdict; so is a derivation that loads.",
+        help="Stop a row, or the loading of a derivation, after so long and report an error.",
     ),
 ]
 Pictures = Annotated[
     Path,
     typer.Option(
-        "--out", metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out
+        "--out", metavar="FOLDER", help="The folder to write the pictures to.", parser=read_out
     ),
 ]
 Rows = Annotated[Path | None, typer.Option("--json", help="Also write the rows to this file.")]
@@ -200,7 +205,7 @@ FailOn = Annotated[
     typer.Option(
         "--fail-on",
         metavar="OUTCOME",
-        help="Exit with 1 for such rows: a verdict, not-read, not-judged, or none.",
+        help="Exit with 1 if a row has this outcome: a verdict, not-read, not-judged; or none.",
     ),
 ]
 NONE = "none"
@@ -225,7 +230,7 @@ def read_outcomes(words: list[str] | None, default: Iterable[str]) -> frozenset[
         return frozenset(default)
     said = [word.strip().lower().replace("_", "-") for x in words for word in x.split(",")]
     if unknown := [word for word in said if word not in (*OUTCOMES, NONE)]:
-        refuse(f"--fail-on {unknown[0]}: is none of {', '.join((*OUTCOMES, NONE))}")
+        refuse(f"--fail-on {unknown[0]}: must be one of {', '.join((*OUTCOMES, NONE))}")
     return frozenset(OUTCOMES[word] for word in said if word != NONE)
 
 
@@ -235,9 +240,9 @@ def clear_json(file: Path | None) -> None:
         return
     folder = file.absolute().parent
     if file.suffix in PAPERS:
-        refuse(f"--json {file}: is a paper by its name, another file is needed")
+        refuse(f"--json {file}: has the name of a paper; choose another file")
     if file.is_dir():
-        refuse(f"--json {file}: is a folder, a file is needed")
+        refuse(f"--json {file}: is a folder; a file is needed")
     if not folder.is_dir():
         refuse(f"--json {file}: the folder {folder} does not exist")
     try:

@@ -29,12 +29,12 @@ def report(
         str | None,
         typer.Option(
             metavar="FOLDER",
-            help="The folder that the pages go to, report by default; with --single the file, "
-            "report.html.",
+            help="The folder to write the pages to, by default report; with --single the file, "
+            "by default report.html.",
         ),
     ] = None,
     single: Annotated[
-        bool, typer.Option("--single", help="Write one HTML file that holds all pages.")
+        bool, typer.Option("--single", help="Write all pages as one HTML file.")
     ] = False,
     derivations: options.Derivations = None,
     no_cache: options.NoCache = False,
@@ -42,8 +42,8 @@ def report(
 ) -> None:
     """Write pages for a browser: every row with its verdict, every quantity, the papers' figures.
 
-    They open from the file, without network or script: index.html first. A folder that holds
-    anything but a report is refused, and so is a file that is none.
+    Open index.html: the pages need neither a network nor scripts. A folder or file that holds
+    anything but a report is refused.
 
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
