@@ -22,13 +22,12 @@ import numpy as np
 
 from mechproof.codegen.form_rows import form_rows, number_shipped
 from mechproof.derivation import rewrite_definition
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.extended_oracle import name_values
 from mechproof.lab.oracle import ALL_BITS, Errors, Truth, find_errors, find_truth
 from mechproof.lab.sampling.named_sets import REPORT, TUNE, choose_evenly, join
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Array, Compute
-from mechproof.lab.worst_search import draw_sets
+from mechproof.lab.worst_search import draw_sets, mark_accuracy_domain
 from mechproof.programs.kernel import Kernel, build_kernel
 from mechproof.programs.rewrites import REWRITES
 from mechproof.proof.judge import judge

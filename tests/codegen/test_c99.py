@@ -33,10 +33,9 @@ from weights import first_of
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
 from mechproof.kernels.derivatives import track_wheel as of_wheel
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.named_sets import choose_evenly, join
 from mechproof.lab.single_precision_errors import WIDER, Singles, mark_judged, narrow, round_singly
-from mechproof.lab.worst_search import draw_sets, find_worst, scaled_errors
+from mechproof.lab.worst_search import draw_sets, find_worst, mark_accuracy_domain, scaled_errors
 from mechproof.programs.kernel import Kernel
 
 pytestmark = needs_compiler

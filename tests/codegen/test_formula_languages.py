@@ -28,10 +28,9 @@ import mechproof
 from mechproof.cli.emit_command import SCRIPTS as COMMANDS
 from mechproof.codegen.backends.standalone_functions import render_scripts
 from mechproof.codegen.languages import SCRIPTS
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.sampling.named_sets import choose_evenly, join
-from mechproof.lab.worst_search import compare, draw_sets
+from mechproof.lab.worst_search import compare, draw_sets, mark_accuracy_domain
 from mechproof.record.substitution import resolve
 
 SYSTEMS = sorted({name.partition(".")[0] for name in KERNELS})

@@ -30,13 +30,13 @@ from mechproof.derivations import elliptic_planetary
 from mechproof.derivatives import differentiate, find_derivatives
 from mechproof.kernels import elliptic_planetary as kernels, wedge_linkage
 from mechproof.kernels.derivatives import wedge_linkage as of_wedge
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.c_kernels import find_in_c
 from mechproof.lab.oracle import count_points, find_truth, list_values
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Compute
+from mechproof.lab.worst_search import mark_accuracy_domain
 from mechproof.programs import reverse_mode
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict

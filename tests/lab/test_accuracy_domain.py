@@ -9,9 +9,9 @@ import pytest
 import sympy as sp
 from quantities import BOUNDED, find_subject
 
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array
+from mechproof.lab.worst_search import mark_accuracy_domain
 from mechproof.measured import read_record
 from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
 

@@ -23,9 +23,9 @@ from ways import (
     truth_of,
 )
 
-from mechproof.lab.accuracy_domain import bound_approximation
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments
+from mechproof.lab.worst_search import bound_approximation
 
 
 @dataclass(frozen=True)

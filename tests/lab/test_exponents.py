@@ -14,12 +14,11 @@ import numpy as np
 import pytest
 from quantities import KERNELS, find_subject
 
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.draws import draw_published
 from mechproof.lab.sampling.stated_sizes import Columns
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.lab.worst_search import scaled_errors
+from mechproof.lab.worst_search import mark_accuracy_domain, scaled_errors
 from mechproof.record import LENGTH
 
 # By how many powers of ten a band of sizes reaches to either side of 1.

@@ -31,8 +31,8 @@ from ways import (
     truth_of,
 )
 
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.ways import Arguments
+from mechproof.lab.worst_search import mark_accuracy_domain
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ import pytest
 from ways import find_subject, find_way, run, truth_of
 
 from mechproof.kernels import wedge_linkage as kernels
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import Errors, find_errors
 from mechproof.lab.ways import Arguments
+from mechproof.lab.worst_search import mark_accuracy_domain
 
 CHAIN = ("position", "velocity", "sensitivities")
 NOMINAL = (6.25, 49.75, 38.0, 83.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)

@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 from mechproof.cli import app
 from mechproof.report import site
 from mechproof.report.judged_derivations import JudgedDerivation
-from mechproof.report.kept_site import _store, load_shares
 from mechproof.report.paper_pages import PaperView, describe_paper
+from mechproof.report.site import _store, load_shares
 from mechproof.tools.cache import VARIABLE
 
 AGED = 10.0

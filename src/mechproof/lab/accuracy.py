@@ -14,14 +14,19 @@ from typing import Any
 import numpy as np
 
 from mechproof.executors import BALLS, run_in_order
-from mechproof.lab.accuracy_domain import bound_approximation, mark_accuracy_domain
 from mechproof.lab.oracle import Truth, count_points, find_errors, find_truth, summarise
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Way
-from mechproof.lab.worst_search import draw_sets, find_worst, scaled_errors
+from mechproof.lab.worst_search import (
+    bound_approximation,
+    draw_sets,
+    find_worst,
+    mark_accuracy_domain,
+    scaled_errors,
+)
 from mechproof.measured import (
     Cell,
     CellErrors,

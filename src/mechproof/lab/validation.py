@@ -28,12 +28,12 @@ from mechproof.arithmetic.balls import evaluate, working_precision
 from mechproof.arithmetic.intervals import LEAST_NORMAL
 from mechproof.codegen.source_reading import TranslationError
 from mechproof.kernel_support import blocks
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.oracle import Truth, count_points, find_errors, find_truth, list_values
 from mechproof.lab.sampling.named_sets import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.sampling.point_sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
+from mechproof.lab.worst_search import mark_accuracy_domain
 from mechproof.programs.kernel import Kernel, build_functions, list_functions
 from mechproof.programs.operations import KINDS, VIEWS, Arithmetic, Rounding
 from mechproof.programs.program import KernelCode, Program, Stage, spell_out_forms

@@ -1,4 +1,4 @@
-"""The search: from the worst of all point sets uphill to worse inputs.
+"""The search: from the worst of all point sets uphill to worse inputs, where a bound is stated.
 
 Balls tell which are worse, of hundreds of points; then long doubles of millions, and balls judge
 what these have found. It belongs in the regression table. S3FP (Chiang et al. 2014) narrows
@@ -7,25 +7,134 @@ ranges of inputs at random instead of moving points.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
+from typing import Any
 
 import numpy as np
+import sympy as sp
 
-from mechproof.lab.accuracy_domain import mark_accuracy_domain
+from mechproof.arithmetic import balls
+from mechproof.arithmetic.balls import evaluate
 from mechproof.lab.extended_oracle import extend
-from mechproof.lab.oracle import Truth, find_errors, find_truth
+from mechproof.lab.oracle import (
+    PRECISIONS,
+    Truth,
+    count_points,
+    find_errors,
+    find_truth,
+    give_balls,
+    list_values,
+)
 from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.sampling.point_sets import list_sets
+from mechproof.lab.sampling.usual_sizes import Sides
 from mechproof.lab.subject import Subject
-from mechproof.lab.ways import Arguments, Array, Compute
+from mechproof.lab.ways import Arguments, Array, Compute, Way, list_columns
+from mechproof.proof.signs import find_sign
+from mechproof.record.relations import is_comparison
 from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, climb_and_judge, gather
+from mechproof.statement_domains.domain import Domain
 
 BY_LONG_DOUBLES = Schedule(3000, 6)
 # So many rounds by long doubles for one by balls; after so many a population has met, and begins
 # again.
 ROUNDS, CLIMB = 20, 100
+
+
+def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
+    """Mark the points where all relations of the bound hold; undecided ones are not among them.
+
+    What is computed, a difference near zero, is decided by balls: the rounding of doubles would
+    decide it at the very points that the relation is to keep out. A relation on elements holds
+    where it holds for all of them.
+    """
+    accuracy = subject.quantity.accuracy
+    relations = accuracy.within if accuracy else ()
+    computed = [r for r in relations if not is_comparison(subject.domain.resolve(r))]
+    held = np.ones(count_points(subject, arguments), bool)
+    for relation in relations:
+        if relation not in computed:
+            held &= _compare(subject, relation, arguments)
+    for index, values in enumerate(list_values(subject, arguments)) if computed else ():
+        held[index] &= all(_is_true(subject, relation, values) for relation in computed)
+    return held
+
+
+def _is_true(subject: Subject, relation: sp.Basic, values: Mapping[sp.Basic, Any]) -> bool:
+    for bits in PRECISIONS:
+        known = give_balls(relation, subject.domain.given, values, bits)
+        found = balls.truth(relation, known, bits)
+        if found is not None:
+            return found
+    return False
+
+
+def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Array:
+    """Decide a relation in doubles."""
+    symbols = subject.quantity.symbols
+    plain = {s: sp.Symbol(str(s)) for s in symbols if isinstance(s, sp.IndexedBase)}
+    elements = {item: plain[item.base] for item in relation.atoms(sp.Indexed)}
+    test = sp.lambdify([plain.get(s, s) for s in symbols], relation.xreplace(elements), "numpy")
+    columns = list_columns(subject.quantity, arguments)
+    if not plain:
+        # SymPy's code for "or" joins its parts into one array.
+        columns = list(np.broadcast_arrays(*columns))
+    with np.errstate(all="ignore"):
+        found: Array = np.asarray(test(*columns), bool)
+    return np.asarray(found.all(axis=-1)) if elements else found
+
+
+def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None:
+    """Return what the error stays below on a cell of sizes.
+
+    None without a bound, or for a bound that does not provably rise with every size.
+    """
+    if way.bound is None:
+        return None
+    bound = subject.domain.resolve(way.bound)
+    sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in sorted(bound.free_symbols, key=str)}
+    if not sizes.keys() <= _corner(subject, cell).keys() or not _rises(bound, subject, sizes):
+        return None
+    ball = evaluate(bound, {s: _corner(subject, cell)[s] for s in sizes}, 128)
+    return float(np.nextafter(float(ball.upper()), np.inf)) if ball.is_finite() else None
+
+
+def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:
+    """Give every symbol the largest size its argument has in the cell."""
+    return {
+        symbol: cell[argument.name][1]
+        for argument in subject.quantity.arguments
+        if argument.name in cell
+        for symbol in argument.symbols
+    }
+
+
+def _rises(bound: sp.Expr, subject: Subject, sizes: dict[sp.Symbol, sp.Symbol]) -> bool:
+    """Decide that the bound depends on sizes alone and falls with none of them."""
+    sets = {s: subject.domain.set_of(s) for s in sizes}
+    signed = [s for s in sizes if sets[s].inf < 0]
+    if any(sp.simplify(bound - bound.subs(s, -s)) != 0 for s in signed):
+        return False
+    positive = sp.Interval.open(0, sp.oo)
+    within = tuple((size, sp.Intersection(sets[s], positive)) for s, size in sizes.items())
+    return _rises_in_sizes(bound.subs(sizes), within)
+
+
+@lru_cache(maxsize=256)
+def _rises_in_sizes(bound: sp.Expr, within: tuple[tuple[sp.Symbol, sp.Set], ...]) -> bool:
+    """Decide that an expression of positive sizes is nonnegative and falls with none of them."""
+    if bound.is_Number or bound.is_Symbol:
+        return bool(bound.is_nonnegative)
+    if isinstance(bound, sp.Add | sp.Mul):
+        return all(_rises_in_sizes(part, within) for part in bound.args)
+    if isinstance(bound, sp.Pow) and bound.exp.is_positive and bound.exp.is_number:
+        return _rises_in_sizes(bound.base, within)
+    domain = Domain(dict(within), (), {})
+    signs = [find_sign(bound, domain)]
+    signs += [find_sign(sp.factor(sp.diff(bound, size)), domain) for size, _ in within]
+    return all(sign is not None and sign.direction > 0 for sign in signs)
 
 
 @dataclass(frozen=True)

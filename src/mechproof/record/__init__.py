@@ -6,15 +6,6 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 """
 
 from mechproof.record.exactness import RecordError
-from mechproof.record.expressions import (
-    AnyFunction,
-    DerivativeWhere,
-    FunctionWithoutArgument,
-    IntegralWithoutDifferential,
-    NthDerivative,
-    ValueWhere,
-    sum_distinct,
-)
 from mechproof.record.implicit import Root
 from mechproof.record.papers import (
     RESERVED,
@@ -41,7 +32,19 @@ from mechproof.record.quantities import (
     Scale,
     Singular,
 )
-from mechproof.record.relations import Slack, list_divisors, list_needs, list_partial
+from mechproof.record.relations import (
+    AnyFunction,
+    DerivativeWhere,
+    FunctionWithoutArgument,
+    IntegralWithoutDifferential,
+    NthDerivative,
+    Slack,
+    ValueWhere,
+    list_divisors,
+    list_needs,
+    list_partial,
+    sum_distinct,
+)
 from mechproof.record.rows import (
     MARKS,
     ChainLink,

@@ -5,9 +5,16 @@ one file that holds them all. It needs no network and no script. In a notebook a
 a row and a mechanism show themselves from the same templates. Needs the `derive` extra.
 """
 
-from mechproof.report.kept_site import keep_shares, key_shares, load_shares
 from mechproof.report.pages import check_file, join_pages
-from mechproof.report.site import Site, build_site, check_folder, write_folder
+from mechproof.report.site import (
+    Site,
+    build_site,
+    check_folder,
+    keep_shares,
+    key_shares,
+    load_shares,
+    write_folder,
+)
 
 __all__ = [
     "Site",

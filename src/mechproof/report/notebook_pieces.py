@@ -15,10 +15,9 @@ from mechproof.plot.motion_plot import motion
 from mechproof.proof.anchors import name_anchors
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.report.pages import read_stylesheet, render
+from mechproof.report.pages import describe_row, name_symbols, read_stylesheet, render
 from mechproof.report.paper_pages import count_totals, describe_finding, list_prints
 from mechproof.report.pictures import Picture
-from mechproof.report.row_views import describe_row, name_symbols
 
 SECTION = re.compile(r"\nParameters\n-+\n(.*?)(?:\n\n|\Z)", re.DOTALL)
 ENTRY = re.compile(r"^(\S.*?) : .*\n((?:    .*\n?)+)", re.MULTILINE)

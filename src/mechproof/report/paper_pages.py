@@ -19,8 +19,7 @@ from mechproof.record import Equality, Paper, Row, Variable
 from mechproof.record.papers import WEIGHTS
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
-from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of
-from mechproof.report.row_views import (
+from mechproof.report.pages import (
     RowView,
     describe_failure,
     describe_left,
@@ -28,6 +27,7 @@ from mechproof.report.row_views import (
     describe_row,
     name_symbols,
 )
+from mechproof.report.phrases import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of
 
 CONSEQUENCE = "consequence"
 

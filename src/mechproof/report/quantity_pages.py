@@ -22,8 +22,8 @@ from mechproof.report.formula_texts import Sources, list_calls, write_header, wr
 from mechproof.report.formulas import goes_on, tell_turned, write_definition, write_given
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
+from mechproof.report.pages import RowView, describe_row, name_symbols
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
-from mechproof.report.row_views import RowView, describe_row, name_symbols
 
 # A point is shown with no more numbers of one argument.
 MANY = 4
