@@ -155,15 +155,10 @@ def render_svg(figure: Figure) -> str:
     return _save_svg(figure, draw(figure))
 
 
-def write_png(figure: Figure, path: Path) -> None:
-    """Write a figure as PNG; the folder must exist. Raises as `draw`, and OSError."""
-    path.write_bytes(_save_png(figure, draw(figure)))
-
-
 def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
     """Write a figure with its caption below as PNG and SVG; return the files.
 
-    Raises as `write_png`.
+    Raises as `draw`, and OSError.
     """
     canvas = _draw_with_caption(figure)
     pixels, text = _save_png(figure, canvas), _save_svg(figure, canvas)
