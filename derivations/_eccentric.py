@@ -12,7 +12,7 @@ from sympy import Expr, Interval, Rational, Symbol
 
 from mechproof.record import Chart, Equality, Form, Scale
 
-from ._linear import solve_linear
+from ._algebra import solve_linear
 
 Ranges: TypeAlias = Mapping[Symbol, Interval]
 Place: TypeAlias = tuple[Expr, Expr, Ranges]

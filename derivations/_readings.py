@@ -4,14 +4,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Abs, Expr, Interval, Rational, erf, oo, pi, sqrt, symbols
+from sympy import Abs, Expr, Rational, erf, pi, sqrt, symbols
 
 from mechproof.document.transcription import Transcription
 from mechproof.record import *
 
-from ._metrology import student_coverage
+from ._metrology import POSITIVE, student_coverage
 
-POSITIVE = Interval.open(0, oo)
+DEGREE = pi / 180
 # The rows that are findings of both papers.
 INTERVAL, ADEQUACY = "95 % interval", "measured functions adequate"
 
@@ -216,8 +216,8 @@ def interval_finding(
                 f"variant {variant}, half-width for 95 % of single errors",
                 "°",
                 decimals=2,
-                printed=2 * line.uncertainty * pi / 180,
-                right=2 * line.implied_scatter * pi / 180,
+                printed=2 * line.uncertainty * DEGREE,
+                right=2 * line.implied_scatter * DEGREE,
                 names=("2u", "2s = 2u√n"),
             ),
         )
@@ -245,8 +245,8 @@ def costs_of_mean(readings: Mapping[int, Readings], variants: Sequence[int]) -> 
             f"variant {variant}",
             "°",
             decimals=2,
-            printed=abs(readings[variant].mean) * pi / 180,
-            right=2 * readings[variant].uncertainty * pi / 180,
+            printed=abs(readings[variant].mean) * DEGREE,
+            right=2 * readings[variant].uncertainty * DEGREE,
             names=("mean error", "2u"),
         )
         for variant in variants

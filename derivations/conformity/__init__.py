@@ -5,15 +5,14 @@ probability to be accepted or rejected, or the density of what is measured times
 not to conform given that; the fourth share is what remains of the parts that do not conform.
 """
 
-from sympy import Expr, Integral, Interval, Le, Max, Min, Or, S, exp, oo, pi, sqrt, symbols
+from sympy import Expr, Integral, Le, Max, Min, Or, S, exp, pi, sqrt, symbols
 
 from mechproof.record import *
 
-from .._metrology import normal_between, normal_outside
+from .._metrology import POSITIVE, normal_between, normal_outside
 
 mu, bias, low, high, m, y = symbols("mu b L U m y", real=True)
 sigma, s = symbols("sigma s", positive=True)
-POSITIVE = Interval.open(0, oo)
 
 ARGUMENTS = (
     Argument("mean", (mu,), "mean of the true deviation", "mm"),

@@ -12,8 +12,8 @@ from mechproof.document.transcription import Transcription
 from mechproof.latex import Reader
 from mechproof.record import ANGLE, LENGTH, Part, Variable
 
+from .._algebra import solve_linear
 from .._eccentric import radius_from_focus, roll
-from .._linear import solve_linear
 from .._metrology import TYPE_A_VARIABLES
 from .._readings import ENCODER_VARIABLES
 

@@ -13,8 +13,8 @@ import sympy as sp
 from mechproof.document.transcription import Transcription
 from mechproof.record import ANGLE, LENGTH, Variable, list_given
 
+from .._algebra import solve_linear
 from .._eccentric import radius_from_focus
-from .._linear import solve_linear
 from .._metrology import POSITIVE, TYPE_A_VARIABLES
 from .._readings import ENCODER_VARIABLES
 

@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.document.transcription import Transcription
 from mechproof.record import ANGLE, LENGTH, Notation, Part, Scope, Variable, list_given
 
-from .._linear import solve_linear
+from .._algebra import solve_linear
 from .._metrology import POSITIVE, normal_between, normal_outside
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))

@@ -15,7 +15,7 @@ from sympy import cos, pi, sin, sqrt
 from mechproof.document.transcription import Transcription
 from mechproof.record import ANGLE, LENGTH, Part, Variable
 
-from .._linear import solve_linear
+from .._algebra import solve_linear
 from .._metrology import POSITIVE
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))

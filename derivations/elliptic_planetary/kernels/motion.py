@@ -6,6 +6,7 @@ import sympy as sp
 
 from mechproof.record import *
 
+from ..._algebra import EPS
 from ..._eccentric import by_half_angle, directly, on_branch
 from ..mechanics import *
 from ..rows.position import print_8, print_12
@@ -42,7 +43,6 @@ LOW_WORD = (
 # k**2, and what it is divided by where e is next to 1.
 SQUARE_OF_SPEED = R1 <= 10**130 * R2
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * sp.cos(x)) ** 2
-EPS = sp.Rational(1, 2**52)
 EPS_X = EPS * sp.Abs(x)
 RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
 ACCELERATION_SCALE = Scale(

@@ -4,12 +4,10 @@ from sympy import Expr, Rational, S, Symbol, diff, pi
 
 from mechproof.record import Check, Cost, Finding, Weight
 
-from ..._readings import ADEQUACY, costs_of_mean, interval_finding
+from ..._readings import ADEQUACY, DEGREE, costs_of_mean, interval_finding
 from ..mechanics import *
 from .position import DX_SUPPLIED, print_8, print_12
 from .readings import HALF_WIDTHS, LIMITS, READINGS
-
-DEGREE = pi / 180
 
 
 def place(variant: int, degrees: Expr | int) -> dict[Symbol, Expr]:

@@ -6,6 +6,7 @@ import sympy as sp
 
 from mechproof.record import Accuracy, EmittedForm, Equality, Part, Scale, Statement, all_of
 
+from ..._algebra import EPS
 from ..._eccentric import on_branch
 from ..mechanics import *
 from ..rows.equations import print_radius
@@ -146,7 +147,6 @@ PRINTED_RADII = {
 # At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
 # eccentricities are below 1/2: 4 eps that the rest of the product saves. Beside a mounted wheel two
 # terms of like size meet, each with roundings of its own.
-EPS = sp.Rational(1, 2**52)
 T, R, S, W, Z, VALUE = sp.symbols("t R S W Z value", real=True)
 OF_T = {t: T}
 STEPS = (

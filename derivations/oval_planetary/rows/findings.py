@@ -4,13 +4,12 @@ import sympy as sp
 
 from mechproof.record import Check, Cost, Finding, Weight
 
-from ..._readings import ADEQUACY, costs_of_mean, interval_finding
+from ..._readings import ADEQUACY, DEGREE, costs_of_mean, interval_finding
 from ..mechanics import *
 from .equations import print_10
 from .readings import READINGS
 from .variants import VARIANTS, ratio_1
 
-DEGREE = sp.pi / 180
 WITH_THE_CARRIER = position_of_one(E_SERIES)
 HALF_DEGREE = DEGREE / 2
 SECANT = ratio_1.subs(phi1, sp.pi / 4 + HALF_DEGREE) - ratio_1.subs(phi1, sp.pi / 4 - HALF_DEGREE)

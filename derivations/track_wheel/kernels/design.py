@@ -6,7 +6,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._sizes import is_moderate, is_zero_or_moderate
+from ..._algebra import is_moderate, is_zero_or_moderate
 from ..mechanics import *
 from ..rows import design
 from .charts import SIZE

@@ -4,7 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
-from ..._sizes import POWER, is_moderate, is_zero_or_moderate
+from ..._algebra import POWER, is_moderate, is_zero_or_moderate
 from ..mechanics import *
 from .charts import BY_REST, BY_TOTAL
 from .poses import SOURCE

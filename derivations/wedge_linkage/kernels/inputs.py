@@ -3,11 +3,11 @@
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Abs, Eq, Rational, cos
+from sympy import Abs, Eq, cos
 
 from mechproof.record import LENGTH, Accuracy, Argument, Scale, Singular, Variable
 
-from ..._sizes import POWER, is_moderate, is_zero_or_moderate
+from ..._algebra import EPS, POWER, is_moderate, is_zero_or_moderate
 from ..mechanics import *
 from .chain import MEANT, SIZES, chain_slope
 
@@ -46,7 +46,6 @@ PIVOT = Singular(Eq(x1, -(l_AB + l_CD)))
 # allowed). An error of a term of a sum is one of the inputs in that term, which the scale has; a
 # common factor of the lengths takes what a sum itself rounds.
 
-EPS = Rational(1, 2**52)
 CONDITION = "|value| + sum of |p * d value/d p| over the arguments p"
 
 

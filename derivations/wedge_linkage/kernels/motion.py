@@ -5,7 +5,7 @@ from sympy import Abs, Eq, Le, sqrt
 
 from mechproof.record import Accuracy, Chart, Form, Part, Quantity, Scale, Singular
 
-from ..._sizes import LARGEST
+from ..._algebra import LARGEST
 from ..mechanics import BEFORE_PIVOT, MOVABLE, guide_square, l_GH, l_KL, x1
 from . import chain, charts, inputs, proofs
 from .stages import CHAIN_SOURCE, LOW_ROLLER

@@ -7,7 +7,7 @@ from sympy import cos, pi, sin, sqrt
 
 from mechproof.record import *
 
-from ..._linear import solve_linear
+from ..._algebra import solve_linear
 from ..._metrology import POSITIVE
 from ..mechanics import *
 from .boundaries import upright_at, upright_wedge

@@ -25,7 +25,7 @@ import sympy as sp
 from flint import arb
 
 from mechproof.arithmetic.balls import evaluate, working_precision
-from mechproof.arithmetic.intervals import LEAST_NORMAL
+from mechproof.arithmetic.intervals import LEAST_NORMAL, UNIT
 from mechproof.codegen.source_reading import TranslationError
 from mechproof.kernel_support import blocks
 from mechproof.lab.oracle import Truth, count_points, find_errors, find_truth, list_values
@@ -44,7 +44,7 @@ from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run
 # So many that what balls round is nothing beside the roundings of doubles.
 BITS = 192
 # Half an ulp of a double and of a float32, relative.
-UNIT, SINGLE_UNIT = 2.0**-53, 2.0**-24
+SINGLE_UNIT = 2.0**-24
 SMALLEST = 2.0**-1074
 LOOPS = 4
 LOSSES: Mapping[Rounding, float] = {
