@@ -15,7 +15,7 @@ from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
 
-from mechproof.comparison.other_tools import call, name_all, spell
+from mechproof.comparison import call, name_all, spell
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram

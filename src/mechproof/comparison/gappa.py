@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from shutil import which
 
-from mechproof.comparison.other_tools import call, name_all, spell
+from mechproof.comparison import call, name_all, spell
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Operand
 from mechproof.roundoff.boxed import BoxedProgram
