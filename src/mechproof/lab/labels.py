@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from types import MappingProxyType
 from typing import Any
 
 from matplotlib.transforms import Bbox
@@ -123,7 +122,6 @@ SIGNS = {
     " - ": "\N{NO-BREAK SPACE}\N{MINUS SIGN}\N{NO-BREAK SPACE}",
 }
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-NOTHING: Mapping[str, str] = MappingProxyType({})
 # More names than this crowd a panel.
 NAMES = 12
 # How small the marks without a name are, and from how many pixels on two marks are told apart.
@@ -168,7 +166,7 @@ def name_marks(
     marks: Sequence[ChartPoint],
     count: int,
     copy: float | None,
-    proved: Mapping[str, str] = NOTHING,
+    proved: Mapping[str, str],
 ) -> list[ChartPoint]:
     """Draw marks after the layout, with names where these have room; return the named.
 

@@ -175,9 +175,9 @@ def _take_end(end: sp.Expr, *, is_low: bool) -> Fraction:
 def bound_all(
     boundings: Sequence[Bounding],
     convention: Convention,
-    tolerance: float = TOLERANCE,
-    parts: int = PARTS,
-    report: Callable[[str], None] = lambda text: None,
+    tolerance: float,
+    parts: int,
+    report: Callable[[str], None],
 ) -> Iterator[ProvedBound]:
     """Yield the bounds of programs; ValueError for what no rule bounds."""
     for bounding in boundings:
@@ -186,7 +186,7 @@ def bound_all(
 
 
 def bound_one(
-    bounding: Bounding, convention: Convention, tolerance: float = TOLERANCE, parts: int = PARTS
+    bounding: Bounding, convention: Convention, tolerance: float, parts: int
 ) -> ProvedBound:
     """Prove a bound and look for the worst input.
 

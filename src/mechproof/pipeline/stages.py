@@ -186,7 +186,7 @@ LONGEST = 6 * 3600.0
 
 
 def certify_derivations(
-    papers: Mapping[Path, Paper], directory: Path, *, use_cache: bool = True
+    papers: Mapping[Path, Paper], directory: Path, *, use_cache: bool
 ) -> list[Certificate | None]:
     """Prove the bounds of papers, given by their places; None for one without charts.
 
@@ -239,9 +239,9 @@ def validate_derivations(
     papers: Mapping[Path, Paper],
     files: Mapping[str, str],
     *,
-    use_cache: bool = True,
-    limit: float = 600.0,
-    report: Callable[[str], None] = lambda text: None,
+    use_cache: bool,
+    limit: float,
+    report: Callable[[str], None],
 ) -> None:
     """Run the emitted kernels of all papers, given by their places.
 
