@@ -117,7 +117,8 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     waves = dict.fromkeys(integrand.atoms(sp.sin, sp.cos), sp.S.One)
     if integrand.free_symbols - {variable} and not integrand.xreplace(waves).has(variable):
         yield from _list_proposed(_propose_in_parallel, integrand, variable)
-    by_others = (_propose_by_cosine, _propose_by_half_angle, _propose_by_tangent)
+    # Fractions of the tangent of an angle are simpler than those of the tangent of its half.
+    by_others = (_propose_by_cosine, _propose_by_tangent, _propose_by_half_angle)
     # These first: at some fractions SymPy tries its rules for long.
     at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
     by_exponentials = (propose_by_exponentials, _propose_by_power)
