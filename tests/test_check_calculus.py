@@ -30,6 +30,11 @@ PAIRS = [
         ("|b|<a",),
     ),
     (
+        r"\int_0^{\frac\pi2}\frac{d\varphi}{1-k^2\sin^2\varphi}=%s",
+        (r"\frac\pi{2\sqrt{1-k^2}}", r"\frac\pi{\sqrt{1-k^2}}"),
+        ("0<k<1",),
+    ),
+    (
         r"\int_0^{2\pi}\frac{d\varphi}{(a+b\cos\varphi)^2}=%s",
         (r"\frac{2\pi a}{(a^2-b^2)^{3/2}}", r"\frac{2\pi b}{(a^2-b^2)^{3/2}}"),
         ("a>|b|",),
@@ -182,6 +187,7 @@ PAIRS = [
         (r"\frac{1-x^{2^{n+1}}}{1-x}", r"\frac{1-x^{2^n}}{1-x}"),
         (r"x\ne1",),
     ),
+    (r"\sum_{n=1}^\infty\frac1{n\binom{2n}n}=%s", (r"\frac{\pi\sqrt3}9", r"\frac{\pi\sqrt3}6"), ()),
     (
         r"\sum_{n=1}^\infty n^2x^n=%s",
         (r"\frac{x(1+x)}{(1-x)^3}", r"\frac{x(1-x)}{(1-x)^3}"),

@@ -165,6 +165,14 @@ _ELEMENTARY = (
     _Series(
         -(_A**2) * _ODD**2 / ((_ODD + 1) * (_ODD + 2)), sp.asinh(_A), _A, nonnegative=1 - _A**2
     ),
+    _Series(
+        _A**2 * (_ODD + 1) / (_ODD + 2), sp.asin(_A) / sp.sqrt(1 - _A**2), _A, positive=1 - _A**2
+    ),
+    _Series(
+        _A**2 * (_ODD + 1) ** 2 / ((_ODD + 2) * (_ODD + 3)),
+        *(sp.asin(_A) ** 2, _A**2),
+        nonnegative=1 - _A**2,
+    ),
 )
 _ZETA = tuple(
     series
@@ -191,7 +199,7 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     term, k, first = read
     above = sp.Dummy("above", integer=True, nonnegative=True)
     counts = {k: first + above}
-    if not is_nonzero_below(_drop_factorials(term, counts), counts, domain):
+    if not is_nonzero_below(term, counts, domain):
         return None
     if (value := _find_weighted(term, k, first, domain)) is not None:
         return value
@@ -233,18 +241,6 @@ def _find_weighted(
         parts.append(part.as_expr() * a**i * value)
     before = sp.Add(*(term.subs(k, number) for number in range(first)))
     return sp.Add(*parts) * rest.subs(_J, 0) - before
-
-
-def _drop_factorials(term: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Leave factors out that are powers of factorials, of numbers from 0 on: these have no zero."""
-    factors = ((factor, *factor.as_base_exp()) for factor in sp.Mul.make_args(term))
-    kept = (f for f, base, _ in factors if not _is_factorial(base, counts))
-    return sp.Mul(*kept)
-
-
-def _is_factorial(base: sp.Expr, counts: dict[sp.Symbol, sp.Expr]) -> bool:
-    of = base.args[0].xreplace(counts) if isinstance(base, sp.factorial) else sp.nan
-    return bool(of.is_integer and of.is_nonnegative)
 
 
 def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | None:
