@@ -42,6 +42,10 @@ CASES = {
     r"\lim_{\psi\to0}\frac{h-a}{b}=1": ["PROVED"],
     r"\lim_{\psi\to0}\frac{h-a}{b}=2": ["DEFINITION"],
     r"\lim_{\psi\to0}h=a+b": ["PROVED"],
+    # By increments a derivative is defined.
+    r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta\psi}=h'": ["PROVED"],
+    r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta\psi}=-b\sin\psi": ["not judged"],
+    r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta a}=0": ["not read"],
     r"\lim_{\psi\to0}h=a-b": ["REFUTED"],
     r"\lim_{\psi\to0}\frac{\sin\psi}{2\psi}=\frac12": ["PROVED"],
     r"\lim_{\psi\to0}\frac{\sin\psi}{2\psi}=\frac13": ["REFUTED"],

@@ -8,6 +8,7 @@ not declared.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -132,10 +133,17 @@ def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
 
 
 def fold_slashed(tokens: Sequence[Token], names: Names) -> tuple[Token, ...]:
-    r"""Return signs with d…/dx as \frac{d…}{dx}; where d is declared or integrates they stay."""
+    r"""Return signs with d…/dx as \frac{d…}{dx}; where d is declared or integrates they stay.
+
+    So is what a derivative is defined by, \lim_{\Delta t\to0}\frac{\Delta x}{\Delta t}.
+    """
     folded: list[Token] = []
     place = 0
     while place < len(tokens):
+        if quotient := _find_quotient(tokens, place, names):
+            above, below, place = quotient
+            folded += _brace(above, r"\frac") + _brace(below)
+            continue
         slash, end = _find_derivative(tokens, place, names)
         if end == place or (folded and folded[-1].text == _SLASH):
             end = place + 1
@@ -162,6 +170,24 @@ def _find_derivative(tokens: Sequence[Token], place: int, names: Names) -> tuple
     while _begins_step(tokens, end, d) and (end == slash + 1 or d == PARTIAL):
         end = _skip_power(tokens, _skip_letter(tokens, end + 1, names))
     return (slash, end) if end > slash + 1 else none
+
+
+def _find_quotient(
+    tokens: Sequence[Token], place: int, names: Names
+) -> tuple[list[Token], list[Token], int] | None:
+    """Return what stands in the place of a limit of increments, with d for them, and its end."""
+    texts = [token.text for token in tokens[place:]]
+    if texts[:4] != [r"\lim", "_", "{", r"\Delta"]:
+        return None
+    middle = _skip_letter(tokens, place + 4, names) - place
+    end = _skip_letter(tokens, min(place + middle + 6, len(tokens) - 1), names) - place
+    signs = [r"\to", "0", "}", r"\frac", "{", r"\Delta", *texts[middle + 6 : end]]
+    signs += ["}", "{", *texts[3:middle], "}"]
+    if texts[middle : middle + len(signs)] != signs:
+        return None
+    d = replace(tokens[place + 3], text="d")
+    above, below = tokens[place + middle + 6 : place + end], tokens[place + 4 : place + middle]
+    return [d, *above], [d, *below], place + middle + len(signs)
 
 
 def _begins_step(tokens: Sequence[Token], place: int, d: str) -> bool:
