@@ -80,6 +80,14 @@ DISPLAYS = {
         % r"\mqty(a\\b)=\smqty[(c)\\d]+\colorbox{red}{$b+1$}\fcolorbox{red}{white}{$c$}\fbox{$d$}",
         [("(1)", r"\pmqty{a\\b}=\bmqty{(c)\\d}+{b+1}{c}{d}")],
     ),
+    "equations from which others follow": (
+        r"$$(1),(2)\Longrightarrow(3)\qquad a=b$$ $$(1)\Rightarrow c=d$$ $$(1)\to(2)\quad2(3)=e$$",
+        [
+            ("display 1", "a=b"),
+            ("display 2", "c=d"),
+            ("display 3", r"(1)\to(2)\quad2(3)=e"),
+        ],
+    ),
     "settings of siunitx": (
         E % r"a=\SI[per-mode=symbol]{3}{m}+\qty[b]{c}",
         [("(1)", r"a=\SI{3}{m}+\qty[b]{c}")],

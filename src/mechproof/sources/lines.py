@@ -70,6 +70,13 @@ _WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _ARROW = "|".join(map(re.escape, _LEADS))
+# From which equations this one follows, if no number in brackets is in it: (3)\Rightarrow(5)\quad.
+_NUMBER = r"\(\d+[a-z]?\)"
+_FROM_AT_START = re.compile(
+    rf"\A\s*{_NUMBER}(?:\s*,?\s*{_NUMBER})*\s*(?:{_ARROW})(?![A-Za-z])\s*"
+    rf"(?:{_NUMBER}\s*(?:\\q?quad|:)|(?=[^\s(]))(?!.*{_NUMBER})",
+    re.DOTALL,
+)
 _AND = re.compile(rf"(?:{_WORD}|(?:{_ARROW})(?![A-Za-z])\s*)\Z")
 _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
@@ -228,6 +235,7 @@ def _drop_leads(latex: LocatedText) -> LocatedText:
 def _clean(latex: LocatedText) -> LocatedText:
     """Drop what leads to an equation, and the stop behind it."""
     latex = latex.replace(_TITLE_AT_START, lambda _: "").replace(_LINK_AT_START, lambda _: "")
+    latex = latex.replace(_FROM_AT_START, lambda _: "")
     latex = _drop_leads(latex).strip(end=".,;~")
     string = latex.string
     found = _RANGE.search(string) or _find_list(string) or _ALL.search(string)
