@@ -55,6 +55,13 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
     assert "missing here" in found
 
 
+def test_letters_beside_one_that_may_be_a_differential_are_drafted() -> None:
+    found = draft(r"$$b=R\theta-\frac d2$$ $$\int_0^1x\,dx=w$$").splitlines()
+    assert {"%% R :", r"%% \theta :"} <= {*found}
+    assert "%% d :" not in found
+    assert any("missing here" in line for line in found)
+
+
 @pytest.mark.parametrize(
     ("words", "line"),
     [

@@ -145,7 +145,11 @@ def collect_letters(
         found = _collect_from(latex, guesses)
         if isinstance(found, ReadingError):
             unread[latex] = found
-        else:
+            named = _NAMES.search(found.remedy)
+            # What stands beside a letter that may be none is still asked.
+            beside = [named[1]] if guess and named and named[1] in _NO_LETTER else []
+            found = _collect_from(latex, guesses, beside) if beside else []
+        if not isinstance(found, ReadingError):
             displays.append(found)
     letters = dict.fromkeys(chain.from_iterable(displays))
     families = _find_families(displays) if guess else {}
@@ -253,11 +257,13 @@ def _enter(name: str, names: dict[str, T], value: T) -> bool:
     return is_new
 
 
-def _collect_from(latex: str, guesses: _Guesses) -> list[str] | ReadingError:
-    """Return the letters of a print, or why it cannot be read."""
+def _collect_from(
+    latex: str, guesses: _Guesses, beside: Sequence[str] = ()
+) -> list[str] | ReadingError:
+    """Return the letters of a print beside others, or why it cannot be read."""
     while True:
         try:
-            found = make_reader(guesses.letters, guesses).collect(latex)
+            found = make_reader([*guesses.letters, *beside], guesses).collect(latex)
             for letter in found:
                 # A name may have scripts that no print has: a second index behind a power.
                 tokenize(letter)
