@@ -57,6 +57,8 @@ SAME = {
     r"\begin{psmallmatrix*}[r]a\end{psmallmatrix*}": r"\begin{pmatrix}a\end{pmatrix}",
     r"\begin{smallmatrix}a\end{smallmatrix}": r"\begin{matrix}a\end{matrix}",
     r"\frac{d^{}x}{dt^{}}": r"\frac{dx}{dt}",
+    # Markdown.
+    r"x\(t)=a\(b+c\)": "x(t)=a(b+c)",
 }
 # What is no call in a known form stays as it is printed.
 LEFT = (

@@ -63,6 +63,9 @@ _SAME = {
     r"\gt": ">",
     r"\{": "[",
     r"\}": "]",
+    # In Markdown a backslash says that a bracket is one.
+    r"\(": "(",
+    r"\)": ")",
 }
 # A star above a letter, which belongs to its name as a prime does.
 STAR = "^*"
