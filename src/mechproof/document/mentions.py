@@ -22,6 +22,7 @@ from mechproof.sources.located_text import Files, Place
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
+_NUMBER = re.compile(r"\(\s*\d+\s*(?:\\right\s*)?\)")
 _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
@@ -73,6 +74,23 @@ def refuse_pi(read: Print, said: Said | None) -> None:
             rf"\pi: line {said.line} says that it is a letter: {said.meaning}",
             rf"Declare it in the block of letters: \pi : {said.meaning}",
         )
+
+
+def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None:
+    r"""Refuse \theta_1=\frac\pi T-2(4) beside an equation (4): what it gives may be meant."""
+    if not _NUMBER.search(read.source.latex):
+        return
+    names = {one.name for one in printed}
+    for member in (member for chain in read.chains for member in chain.members):
+        nodes = [*tree.walk(member)]
+        inside = [node.inside for node in nodes if isinstance(node, tree.Bracket)]
+        numbers = [x for x in inside if isinstance(x, tree.Number) and f"({x.text})" in names]
+        if numbers and any(isinstance(node, tree.Letter) for node in nodes):
+            raise read.source.refuse(
+                numbers[0].start,
+                f"({numbers[0].text}): the number, or the equation that has it?",
+                r"Print \cdot before the number, or leave that of an equation to the text.",
+            )
 
 
 def says_constant(latex: str) -> bool:

@@ -258,6 +258,7 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         mentions.refuse_units(read)
         mentions.refuse_powers_of_zero(read)
+        mentions.refuse_numbers_of_equations(read, self.printed)
         mentions.refuse_pi(read, self.pi)
         if branch is None and DOUBLE.search(latex):
             return find_double_signs(printed, read, reader, self.known, self.pairs)
