@@ -9,7 +9,7 @@ SymPy's expressions go to flint's sparse polynomials over the rationals, and bac
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import reduce
+from functools import lru_cache, reduce
 from math import gcd, lcm
 from operator import add, mul
 from types import MappingProxyType
@@ -50,6 +50,8 @@ def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
     return bool(above.is_zero() and not below.is_zero())
 
 
+# Roots and signs of one proof, and proofs of one paper, have polynomials in common.
+@lru_cache(maxsize=1024)
 def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
     """Factor as SymPy's function of that name: in its order and with its signs, but sooner.
 
