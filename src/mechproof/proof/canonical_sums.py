@@ -66,6 +66,8 @@ def _write_out(node: sp.Sum | sp.Product) -> sp.Basic:
     return combine(*(write_out(substitute(body, {index: sp.Integer(k)})) for k in numbers))
 
 
+# Rows of a paper share their sums.
+@lru_cache(maxsize=256)
 def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
     aligned = _align(node, domain)
     if aligned != node:

@@ -8,6 +8,7 @@ of a line nothing is said: a quotient is meant where it has values.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from itertools import islice
 
 import sympy as sp
@@ -96,12 +97,14 @@ def _are_met(needs: Iterable[Slack], point: Point) -> bool:
 
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
     """Yield zeros in one count after the other, at a few values of the other letters."""
-    counts = (s for s in find_free(divisor) if is_count(s, domain))
-    return _list_roots(divisor, domain, counts)
+    counts = frozenset(s for s in find_free(divisor) if is_count(s, domain))
+    yield from _list_roots(divisor, domain, counts)
 
 
-def _list_roots(number: sp.Expr, domain: Domain, letters: Iterable[sp.Basic]) -> Iterator[Point]:
-    ordered = sorted(letters, key=str)
+# Rows of a paper share what they need to have values.
+@lru_cache(maxsize=64)
+def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -> list[Point]:
+    ordered, roots = sorted(letters, key=str), []
     for point in islice(points_for((number,), domain, _SOLVED), _SOLVED):
         for letter in ordered:
             others = {s: value for s, value in point.items() if s != letter}
@@ -111,7 +114,8 @@ def _list_roots(number: sp.Expr, domain: Domain, letters: Iterable[sp.Basic]) ->
             for root in equation.ground_roots():
                 there = {**others, letter: root}
                 if (root.is_integer or not is_count(letter, domain)) and domain.allows(there):
-                    yield there
+                    roots.append(there)
+    return roots
 
 
 def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
