@@ -40,6 +40,7 @@ def list_special_values(where: sp.Set) -> tuple[sp.Expr, ...]:
     return tuple(value for value in values if contains(where, value) == sp.true)
 
 
+@lru_cache(maxsize=1024)
 def radical_inverse(step: int, base: int) -> sp.Rational:
     """Return the digits of a number, mirrored at the point: an even spread over (0, 1)."""
     numerator, denominator = 0, 1
@@ -49,6 +50,8 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
     return sp.Rational(numerator, denominator)
 
 
+# The same numbers are placed in the same sets for every row.
+@lru_cache(maxsize=4096)
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
     if where in COUNTS:
