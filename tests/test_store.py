@@ -14,6 +14,9 @@ from mechproof.roundoff import certificate_files as certificates
 from mechproof.tools import cache
 from mechproof.tools.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
 
+# One worker reads the imports of all modules.
+pytestmark = pytest.mark.xdist_group("test_layers.py")
+
 
 @pytest.fixture
 def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Store:
