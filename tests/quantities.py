@@ -1,6 +1,7 @@
 """The names of quantities, listed without loading a paper: each worker collects every test.
 
-That they are those of the papers is tested in `lab/test_accuracy.py`.
+That they are those of the papers is tested in `lab/test_accuracy.py`, and of derivatives in
+`kernels/test_derivatives.py`.
 """
 
 from __future__ import annotations
@@ -19,13 +20,20 @@ _RECORDS = {
     for file in sorted((GENERATED / "measured").glob("*.json"))
 }
 _SYSTEMS = sorted(file.stem for file in GENERATED.glob("[!_]*.py"))
-# Quantities whose accuracy has a bound, with it, and those that have a kernel.
+
+
+def _list_kernels(package: str) -> tuple[str, ...]:
+    return tuple(
+        f"{system}.{name}"
+        for system in _SYSTEMS
+        for name in import_module(f"{package}.{system}").__all__
+    )
+
+
+# Quantities whose accuracy has a bound, with it, those that have a kernel, and derivatives.
 BOUNDED = {name: record["bound"] for name, record in _RECORDS.items() if record["bound"]}
-KERNELS = tuple(
-    f"{system}.{name}"
-    for system in _SYSTEMS
-    for name in import_module(f"mechproof.kernels.{system}").__all__
-)
+KERNELS = _list_kernels("mechproof.kernels")
+DERIVATIVES = _list_kernels("mechproof.kernels.derivatives")
 
 
 @cache
