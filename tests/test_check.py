@@ -183,7 +183,7 @@ REFUSED = [
     ([r"\sqrt{-1}^2=-1"], "no real value"),
     ([r"\sum_{i<j}x_ix_j=1"], "first value"),
     ([r"y=2x,\ y=3x"], "defined twice"),
-    ([r"x=-1", "--where", "x>0"], "--where says something"),
+    ([r"x=-1", "--where", "x>0"], "--where restricts it"),
     (["x^2=1", "--where", "xy=1"], "by --let"),
     (["x+y=1", "--where", "x=1-y", "--where", "y=1-x"], "given by itself"),
     (["x+y=1", "--where", "x=1-y", "--let", "x=2"], "has a value already"),

@@ -244,7 +244,8 @@ class TestDecision:
             choose("angle", error=1.0, measured=str(folder))
 
     def test_a_folder_without_records_is_named(self, tmp_path: Path) -> None:
-        with pytest.raises(ValueError, match=r"measured = .*nowhere'\): no folder with records"):
+        wanted = r"measured = .*nowhere'\): must be a folder with records"
+        with pytest.raises(ValueError, match=wanted):
             choose("angle", error=1.0, measured=tmp_path / "nowhere")
 
 

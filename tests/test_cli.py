@@ -116,12 +116,12 @@ def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> 
     written = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
     refused = run(*second)
     assert refused.exit_code == 2
-    assert "is there and holds something else; give the new" in " ".join(refused.output.split())
+    assert "exists with other content; give the new" in " ".join(refused.output.split())
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == written
     assert run(*first).exit_code == 0
     assert run(*second, "--name", "drive_ratio").exit_code == 0
     assert {"drive_ratio.h", "drive_ratio.c"} < {file.name for file in tmp_path.iterdir()}
-    assert "--name = 'int': must be a name in C" in run(*second, "--name", "int").output
+    assert "--name = 'int': must be a valid C identifier" in run(*second, "--name", "int").output
     whole = run("emit", "c", "elliptic_planetary", "--name", "drive", "--out", str(tmp_path))
     assert whole.exit_code == 2
     assert "--name goes with --error" in whole.output

@@ -1,14 +1,14 @@
-"""Mechanism formulas from print to proved verdicts and accurate NumPy kernels.
+"""Mechanism formulas from printed equations to proved verdicts and accurate NumPy kernels.
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
-`check` judges the equations of a paper's own source, `judge_equation` a single one;
+`check` judges the equations in a paper's source, `judge_equation` a single equation;
 `export` writes pitch curves and motions for other programs;
-`formula` writes a quantity as LaTeX, C, Octave, JavaScript and others;
-`bound` proves how far rounding moves what a formula computes;
-`choose` names the cheapest way to compute a quantity to a given error;
+`formula` writes a quantity in LaTeX, C, Octave, JavaScript and other languages;
+`bound` proves bounds on the rounding error of a formula;
+`choose` finds the cheapest way to compute a quantity to within a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
-`mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
-when it is first used: `import mechproof` costs next to nothing.
+`mechproof.kernels.<system>` has the plain array functions beneath them. Everything is imported on
+first use, so `import mechproof` costs next to nothing.
 """
 
 from __future__ import annotations
@@ -66,9 +66,9 @@ __all__ = [
     "tailor",
 ]
 
-# Packages that are found under their names without an import of their own.
+# Packages available as attributes without an import of their own.
 PACKAGES = ("conformity", "kernels", "laws", "measurement", "mechanisms", "plot", "tolerance")
-# Where each public name comes from.
+# The module that defines each public name.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "bound": "mechproof.pipeline.bounding",
     "check": "mechproof.document.checking",
@@ -81,7 +81,7 @@ HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
 
 
 def _show(shown: object) -> str | None:
-    """Return what a report shows of a thing, None without the `derive` extra."""
+    """Return an object as a report shows it, None without the `derive` extra."""
     try:
         from mechproof.report.notebook_pieces import show
     except ModuleNotFoundError as error:
@@ -112,7 +112,7 @@ def __getattr__(name: str) -> Any:
 
 
 def _stand_in(name: str, error: ModuleNotFoundError) -> Callable[..., NoReturn]:
-    """Return what refuses to be called: all names of the package can be imported without extras."""
+    """Return a function that only raises ImportError: names can be imported without extras."""
     from mechproof.tools.extras import tell_missing
 
     message = tell_missing(f"mechproof.{name}", "derive", error.name)

@@ -1,7 +1,7 @@
-"""Choice of model: the cheapest way to compute whose error over stated ranges meets a request.
+"""Choice of model: the cheapest way to compute a quantity to a given error over stated ranges.
 
-Decided from what `mechproof measure` found and proved: for cells of argument sizes the worst error
-of every way, a form or a peer, and, for an approximation, its proved bound; and the time per point.
+Based on what `mechproof measure` measured and proved: for cells of argument sizes, the worst error
+of every way, a form or a peer, and an approximation's proved bound; and the time per point.
 
 >>> from mechproof import choose
 >>> choice = choose("displacement", error=1e-3, points=(0, 50), angles=(0, 1e-3))
@@ -31,14 +31,14 @@ from mechproof.measured import (
 from mechproof.measured_ranges import Size, check_ranges, find_cells
 from mechproof.tools.extras import tell_install
 
-# Ways of these verdicts compute something else somewhere in the domain.
+# Ways with these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
-# The package that an extra is known by, and the folder of the kernels that need it.
+# The package that shows an extra is installed, and the folder of the kernels that need it.
 EXTRAS = {"fast": "numba", "derive": "flint"}
 TAILORING = "derive,fast"
 FOLDERS = {"": "", "fast": "compiled."}
-# The next better way loses at most half as much.
+# The next better way has at most half the error.
 BETTER = 2
 
 
@@ -46,15 +46,15 @@ BETTER = 2
 class Choice:
     """A way to compute, its error over the stated ranges, and its time.
 
-    `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
-    `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
-    a form is imported (of an own paper, from the folder above `generated`), or the call that
-    tailors it, empty for other libraries and the like; `needs` are the extras that it is installed
-    with, between commas. `asked` is the largest error permitted. `time` is nanoseconds per point
-    at `count` points on the machine of the record, the median of rounds with these `quartiles`.
-    `better` is the cheapest way with at most half the error, `faster` the cheapest one that needs
-    an extra which is not installed, if it is faster than what is; `others` are all ways that could
-    have been chosen, cheapest first.
+    `error`, in the unit of the quantity, is the larger of the worst measured error and the proved
+    bound; `bound` is the proved bound, rounding apart, or None. `function` is the dotted name from
+    which a form is imported (for your own paper, from the folder above `generated`), or the call
+    that tailors it; it is empty for other libraries and the like. `needs` lists the extras
+    required, separated by commas. `asked` is the largest error permitted. `time` is in nanoseconds
+    per point at `count` points on the machine of the record: the median of rounds with these
+    `quartiles`. `better` is the cheapest way with at most half the error. `faster` is the cheapest
+    way that needs an extra not installed, if it is faster than the installed ways. `others` are all
+    other ways available, cheapest first.
     """
 
     quantity: str
@@ -77,7 +77,7 @@ class Choice:
         return "\n".join([str(self), *map(self._compare, self.others)])
 
     def _compare(self, other: Choice) -> str:
-        """Say that a way is slower, no better, or too coarse."""
+        """Say whether a way is slower, no better, or too coarse."""
         if other.error > self.asked:
             reason = "not accurate enough"
         elif other._may_be_as_fast_as(self) or other.time < self.time:
@@ -121,38 +121,38 @@ def choose(
     Parameters
     ----------
     quantity : str
-        Quantity or system.quantity, one of those measured.
+        A measured quantity, as quantity or system.quantity.
     error : float
         Largest permitted absolute error, in the unit of the quantity, positive.
     size : int
-        Number of points of a call: the time is that of the nearest size measured, and of the
-        most expensive workload (one pose and many points, or many poses).
+        Number of points per call. The time is taken at the nearest size measured, for the most
+        expensive workload (one pose and many points, or many poses).
     measured : path, optional
-        Folder of records that `mechproof measure` wrote; left out: those of the package.
+        Folder of records written by `mechproof measure`; by default those of the package.
     **ranges : float or pair of floats
-        Sizes (absolute values; of a vector, of its largest component) of the arguments: one
-        number, or from and to. An argument that is left out may have any size measured.
+        Sizes of the arguments (absolute values; for a vector, of its largest component): a number,
+        or a pair (from, to). An argument left out may have any size measured.
 
     Raises
     ------
     TypeError
-        For an error or a size that is no real number, and for ranges that are no pairs.
+        If the error or the size is not a real number, or a range is not a pair.
     ValueError
-        For an unknown quantity or argument, for ranges that were not measured, for a folder
-        without records or with a broken one, and where no way is accurate enough; the message
-        says what is reachable.
+        If the quantity or an argument is unknown, a range was not measured, the folder has no
+        records or a broken one, or no way is accurate enough; the message then says what is
+        reachable.
 
     Notes
     -----
-    A measured error is the worst at points chosen to hurt, not a bound; a way that lost a single
-    result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
-    proves on a part of the domain only, and what is written in C. Peers (other libraries, solvers,
-    simulations), of which nothing is proved, count by what was measured. Ways that need an extra of
-    mechproof which is not installed (`fast`: compiled kernels) are not taken but named in `faster`.
-    Where all arguments but the first are fixed numbers, a kernel tailored to them and to `error` is
-    one of the ways: its bound is what is asked for, its time that of one tailored to other sizes
-    and no larger an error. Of ways whose times cannot be told apart, their quartiles overlapping,
-    the most accurate is taken.
+    A measured error is the worst at points chosen to be difficult, not a bound. A way is left out
+    if it lost a single result (NaN, infinity) in the ranges, if the ledger refutes it or proves it
+    on part of the domain only, or if it is written in C. Peers (other libraries, solvers,
+    simulations), about which nothing is proved, count by their measured errors. Ways that need an
+    extra of mechproof that is not installed (`fast`: compiled kernels) are not chosen, but named in
+    `faster`. If all arguments but the first are fixed numbers, a kernel tailored to them and to
+    `error` is one of the ways: its bound is the error asked for, and its time is that of a kernel
+    tailored to other sizes and no larger an error. Of ways whose times cannot be told apart because
+    their quartiles overlap, the most accurate is chosen.
 
     """
     record = _find_record(quantity, measured)
@@ -167,7 +167,7 @@ def choose(
     good = [way for way in ways if way.error <= error]
     if not good:
         best = min(ways, key=lambda c: c.error)
-        reach = f"no way of computing {record.quantity} reaches it"
+        reach = f"no way of computing {record.quantity} is this accurate"
         refuse("error", error, f"{reach}{_tell_open(record, pairs)}; {best}")
     alike = [way for way in good if way._may_be_as_fast_as(good[0])]
     first = min(alike, key=lambda c: c.error)
@@ -183,9 +183,9 @@ def choose(
 def _rate_tailored(
     record: Record, pairs: Mapping[str, tuple[float, float]], size: int, asked: float, home: str
 ) -> Iterator[Choice]:
-    """Rate the tailored kernel that is made for no larger an error, if sizes are fixed numbers.
+    """Rate the tailored kernel made for the same or a smaller error, if sizes are fixed numbers.
 
-    Its time is that at the sizes measured; its bound is proved when it is made.
+    Its time is that at the sizes measured; its bound is proved when the kernel is made.
     """
     _, *parameters = record.ranges
     if any(name not in pairs or pairs[name][0] != pairs[name][1] for name in parameters):
@@ -203,7 +203,7 @@ def _rate_tailored(
 
 
 def _rate(record: Record, timed: Timing, way: str, error: float, bound: float | None) -> Choice:
-    """Return what was measured of a way, of which so much is asked as it gives."""
+    """Return what was measured of a way, taking the error it gives as the error asked for."""
     quartiles = timed.lower, timed.upper
     facts = timed.median, quartiles, timed.count, record.unit
     return Choice(record.quantity, way, error, bound, *facts, asked=error)
@@ -214,7 +214,7 @@ def _is_installed(way: Choice) -> bool:
 
 
 def _find_faster(rated: Sequence[Choice], first: Choice) -> Choice | None:
-    """Return the cheapest way that is good enough and only lacks an extra."""
+    """Return the cheapest way that is accurate enough and lacks only an extra."""
     lacking = [way for way in rated if not _is_installed(way) and way.error <= first.asked]
     fastest = min(lacking, key=lambda way: way.time, default=None)
     return fastest if fastest and fastest.quartiles[1] < first.quartiles[0] else None
@@ -226,10 +226,10 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
     require(is_path, "measured", measured, "must be the path of a folder", TypeError)
     files = find_files(None if measured is None else Path(measured))
     found = measured is None or files
-    require(found, "measured", measured, f"no folder with records of {MADE_BY}")
+    require(found, "measured", measured, f"must be a folder with records of {MADE_BY}")
     named = [name for name in files if quantity in (name, name.partition(".")[2])]
     if len(named) > 1:
-        refuse("quantity", quantity, f"several systems have it, name one: {', '.join(named)}")
+        refuse("quantity", quantity, f"several systems have it; give one of {', '.join(named)}")
     if not named:
         known = ", ".join(files) or "none; run `mechproof measure`"
         others = "" if measured else "; measured=FOLDER has records of your own"
@@ -240,15 +240,15 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
 
 
 def _tell_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
-    """Tell the arguments that may have any size measured: one of them may be why."""
+    """List the arguments that may have any size measured, which may be the reason."""
     left = [f"{n} {lo:g} to {hi:g}" for n, (lo, hi) in record.ranges.items() if n not in pairs]
     return f" for all sizes of {', '.join(left)}" if left else ""
 
 
 def _find_home(folder: Path, record: Record) -> str:
-    """Return the package of the kernels that a record is of: that beside it, if it has them.
+    """Return the package of the kernels that a record describes: the one beside it, if any.
 
-    The folder is `measured` of the generated files, or `quick` in it.
+    `folder` is `measured` in that of the generated files, or `quick` in it.
     """
     place = folder.resolve()
     generated = place.parent if place.name == MEASURED else place.parent.parent
@@ -262,7 +262,7 @@ def _find_home(folder: Path, record: Record) -> str:
 def _rate_ways(
     record: Record, cells: list[int], size: int, asked: float, home: str
 ) -> Iterator[Choice]:
-    """Rate every way that is the quantity, or is bounded, and that lost nothing in the cells."""
+    """Rate each way that equals the quantity or is bounded, and lost no result in the cells."""
     errors = {(found.way, found.cell): found for found in record.cell_errors}
     for way in filter(lambda way: _is_the_quantity(way, record.ways[0]), record.ways):
         found = [errors[way.name, cell] for cell in cells]
@@ -280,7 +280,7 @@ def _rate_ways(
 
 
 def _locate(quantity: str, way: MeasuredWay, home: str) -> str:
-    """Return the dotted name of a generated function; empty for what is none."""
+    """Return the dotted name of a generated function; empty for any other way."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
         return f"{home}.forms.{system}.{name}_{way.key}"
@@ -290,13 +290,13 @@ def _locate(quantity: str, way: MeasuredWay, home: str) -> str:
 
 
 def _is_the_quantity(way: MeasuredWay, shipped: MeasuredWay) -> bool:
-    """Say that Python computes single points, and that nothing speaks against its being equal."""
+    """Return whether a way computes single points in Python and may equal the quantity."""
     part = way.proved_on not in ("", shipped.proved_on)
     return not (way.kind == "source" or way.ordered or way.verdict in NOT_EQUAL or part)
 
 
 def _find_time(record: Record, way: str, size: int) -> Timing | None:
-    """Return the time at the size measured nearest to `size`, of the most expensive workload."""
+    """Return the time at the measured size nearest to `size`, for the most expensive workload."""
     rows = [row for row in record.times if row.way == way]
     nearest = [
         min(

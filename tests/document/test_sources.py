@@ -53,7 +53,7 @@ def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
     "latex", ["a+b=b+a", r"x=\frac{1}{2}", "x=0.5", "a=b\0", "a+" * 4000 + "a=b"]
 )
 def test_a_pasted_equation_is_told_its_function(latex: str) -> None:
-    with pytest.raises(DocumentError, match=r"judged by mechproof\.judge_equation"):
+    with pytest.raises(DocumentError, match=r"use mechproof\.judge_equation"):
         check(latex)
 
 

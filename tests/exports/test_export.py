@@ -183,7 +183,7 @@ def test_what_cannot_be_written_is_refused(
 
 
 def test_a_pair_without_a_size_needs_one(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"^a = None: must be stated"):
+    with pytest.raises(ValueError, match=r"^a = None: must be the major semi-axis"):
         export(OVALS, tmp_path / "pair.dxf")
     with pytest.raises(TypeError, match=r"^mechanism\b"):
         export(mechproof.TrackWheel(41.5, 3.75, 6, 20), tmp_path / "pair.dxf")  # type: ignore[arg-type]

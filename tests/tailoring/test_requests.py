@@ -48,7 +48,7 @@ def test_what_does_not_come_again_is_refused(monkeypatch: pytest.MonkeyPatch) ->
     system, _, name = NAME.partition(".")
     wrong = replace(quantity_of(system, name), periodicity=Periodicity(sp.pi))
     monkeypatch.setattr(request, "_find_quantity", lambda *_: (paper_of(system), wrong))
-    with pytest.raises(ValueError, match=rf"name = '{NAME}': that it comes again .* is REFUTED"):
+    with pytest.raises(ValueError, match=rf"name = '{NAME}': its period .* is REFUTED"):
         read_request(NAME, 1e-6, SIZES)
 
 

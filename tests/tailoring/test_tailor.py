@@ -170,7 +170,7 @@ def test_c_has_the_bits_of_numba(name: str, tmp_path: Path) -> None:
     ("name", "message"),
     [
         *(
-            (name, f"name = {name!r}: must be a name in C")
+            (name, f"name = {name!r}: must be a valid C identifier")
             for name in ("1st", "double", "a b", "größe", "_math", "")
         ),
         ("math", "math: C has a header math.h"),
@@ -178,8 +178,8 @@ def test_c_has_the_bits_of_numba(name: str, tmp_path: Path) -> None:
         ("mp", "mp: what begins with mp_ are helpers"),
         ("mp_point", "mp_point: what begins with mp_ are helpers"),
         ("a" * 64, f"name = '{'a' * 64}': must have at most 63 characters"),
-        (5, "name = 5: must be a text"),
-        (b"x", "name = b'x': must be a text"),
+        (5, "name = 5: must be a string"),
+        (b"x", "name = b'x': must be a string"),
     ],
 )
 def test_a_name_that_c_does_not_have_is_refused(name: Any, message: str, tmp_path: Path) -> None:
@@ -220,11 +220,11 @@ def test_the_command_refuses(arguments: tuple[str, ...], message: str) -> None:
 @pytest.mark.parametrize(
     ("name", "changed", "kind", "message"),
     [
-        (3, {}, TypeError, "name = 3: must be a text"),
+        (3, {}, TypeError, "name = 3: must be a string"),
         ("no.position", {}, ValueError, r"name = 'no.position': the system must be one of .*oval"),
         (f"{NAME}s", {}, ValueError, r"the quantity of elliptic_planetary must be one of ratio,"),
         ("track_wheel.rotation", {}, ValueError, "the quantity of track_wheel must be"),
-        (NAME, {"error": 0}, ValueError, r"error = 0.0: must be more than 0"),
+        (NAME, {"error": 0}, ValueError, r"error = 0.0: must be positive"),
         (NAME, {"error": np.nan}, ValueError, "error = nan: must be finite"),
         (NAME, {"error": "small"}, TypeError, "error = 'small': must be a real number"),
         (NAME, {"e": 1}, ValueError, "e = 1.0: must satisfy 0 <= e < 1"),

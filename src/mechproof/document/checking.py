@@ -1,4 +1,4 @@
-"""A paper's source -> its rows, judged where something is asserted; nothing of it ends the run."""
+"""A paper's source -> its rows, judged where they assert something; no row can end the run."""
 
 from __future__ import annotations
 
@@ -72,16 +72,16 @@ _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
     "which in the block of letters: identity, or constraint"
 )
-# What is no name of a file may be an equation.
-_PASTED = "an equation is judged by mechproof.judge_equation"
+# A text that is not the name of a file may be an equation.
+_PASTED = "to judge an equation, use mechproof.judge_equation"
 
 
 @dataclass(frozen=True)
 class CheckedPaper:
-    """The rows of a paper's source, the letters taken as real numbers, and files not found.
+    """The rows of a paper's source, the letters assumed to be real, and the files not found.
 
-    `paper` has the letters, without rows; `told` are names that cannot be read, and tables and
-    columns that are not compared; `names` are those of all equations, in their order.
+    `paper` has the letters, without rows. `told` lists names that cannot be read, and tables and
+    columns that are not compared. `names` lists the names of all equations in order.
     """
 
     file: str
@@ -93,9 +93,9 @@ class CheckedPaper:
     names: tuple[str, ...] = ()
 
     def to_ledger(self, system: str = "") -> JudgedPaper:
-        """Return the ledger of the paper: rows of one name are told apart by their places.
+        """Return the ledger of the paper; places distinguish rows with the same name.
 
-        `system` is the name of the paper, left out that of its file.
+        `system` is the name of the paper, by default that of its file.
         """
         names = [row.name for row in self.rows]
         rows = [
@@ -123,7 +123,7 @@ class CheckedPaper:
 
 
 def _state(row: CheckedRow) -> Row:
-    """Return the row of a print; one without a verdict says nothing."""
+    """Return the printed row; without a verdict it says nothing."""
     return replace(row.stated or Equation("", row.latex), number=row.name)
 
 
@@ -136,12 +136,11 @@ def check(
 ) -> CheckedPaper:
     """Read a paper's source and judge what it asserts.
 
-    `path` names a LaTeX or a Markdown file; `content` is what stands in it, where it is no file.
-    A row that takes longer than `limit` seconds is not judged and says so; `report` is told what
-    is done.
-    Raises `DocumentError` for a file that cannot be read or has no equation, `ValueError` (also
-    `BlockError`) for a block of letters that cannot be read, `TypeError` for arguments of another
-    kind.
+    `path` names a LaTeX or Markdown file; `content`, if given, is its text, and no file is read. A
+    row that takes longer than `limit` seconds is not judged and says so. `report` is called with
+    progress messages.
+    Raises `DocumentError` if the file cannot be read or has no equation, `ValueError` (including
+    `BlockError`) if a block of letters cannot be read, and `TypeError` for other types.
     """
     allowed = "must be the name of a file"
     require(isinstance(path, str | Path), "path", path, allowed, TypeError)
@@ -161,7 +160,7 @@ def check(
 def check_rest(
     path: Path, rows: Iterable[Row], limit: float, report: Callable[[str], None]
 ) -> CheckedPaper:
-    """Judge what a paper's source has besides the numbers and prints of rows, as `check` does."""
+    """Judge, as `check` does, the equations of a paper's source that are not among `rows`."""
     elsewhere = frozenset(
         (text, len([*list_parts(row.says)]) if row.says else 1)
         for row in rows
@@ -226,9 +225,9 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
 
 
 def _leave_open(at: Judging) -> Changes:
-    """Leave open what is compared with another print and differs from it by its letters.
+    """Leave open a row compared with another print if their letters differ.
 
-    So is what is not true and has the same letters on both sides, as identities have.
+    Likewise a row that does not hold though its sides have the same letters, as identities have.
     """
     for number, task in enumerate(at.tasks):
         found = at.rows[number].judgement
@@ -242,7 +241,7 @@ def _leave_open(at: Judging) -> Changes:
 
 
 def _compare_members(at: Judging) -> Changes:
-    """Judge later prints of a letter by all members that stand of the chain that printed it."""
+    """Judge later values printed for a letter by all standing members of its first chain."""
     asked = []
     for n, task in enumerate(at.tasks):
         if not task.others or task.follows:
@@ -256,10 +255,10 @@ def _compare_members(at: Judging) -> Changes:
 
 
 def _compare_specially(at: Judging) -> Changes:
-    """Judge again at the values that words beside it say what is not shown to hold in general.
+    """Judge rows not shown in general again, at the values that the words beside them state.
 
-    "With the ring held ($n_3=0$) the ratio is" says at which value a row is meant. What differs
-    there, too, is refuted if both sides have the same letters then, as identities have.
+    "With the ring held ($n_3=0$) the ratio is" states such a value. A row that differs there, too,
+    is refuted if both sides then have the same letters, as identities have.
     """
     asked = [(n, "special") for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
     for (n, _), answer in at.ask(judge_special, asked):
@@ -272,9 +271,9 @@ def _compare_specially(at: Judging) -> Changes:
 
 
 def _is_special(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is open, and says something else at what is said beside it."""
+    """Return whether a row is open and reads differently at the values stated beside it."""
     verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
     is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
-    # What may be another case of a definition may be this one.
+    # What may be another case of a definition may be this case.
     is_open = is_open or task.is_solution
     return bool(is_open) and task.special is not None and task.special.row.says != task.row.says

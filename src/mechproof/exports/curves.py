@@ -1,7 +1,7 @@
-"""Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels as CAD takes them.
+"""Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels in CAD formats.
 
-DXF and SVG have circles and ellipses as such, ovals as closed lines; numbers in CSV are read back
-exactly, those of the motion, too. Teeth are cut by ncgears, a young library (alpha) of its own: it
+DXF and SVG have true circles and ellipses, and ovals as closed lines. Numbers in CSV, those of the
+motion included, read back exactly. Teeth are cut by ncgears, a young library (alpha) of its own: it
 generates outlines, checks the pair for interference and for errors of the motion, and refuses what
 it cannot cut. What it makes is its own result; nothing of it is proved here.
 """
@@ -27,21 +27,21 @@ from mechproof.plot.motion_plot import Planetary, Wheel, check_planetary, place_
 from mechproof.tools.extras import require_modules
 
 Array = NDArray[np.float64]
-# Points of an outline at first; they are doubled until chords are near enough.
+# Points of an outline at first and at most; they are doubled until the chords are close enough.
 FIRST, MOST = 64, 2**20
 
 
 def place_in_mm(mechanism: Planetary, phi1: float, a: Any) -> tuple[Wheel, ...]:
-    """Return the wheels 4, 5, 6, 3; `a` is the major semi-axis where a mechanism has no size.
+    """Return the wheels 4, 5, 6, 3; `a` is the major semi-axis if the mechanism has no size.
 
-    Raises ValueError for an `a` that is not needed, or is and is none.
+    Raises ValueError if `a` is not needed, or is needed but missing or invalid.
     """
     wheels = place_wheels(mechanism, phi1)
     if not (isinstance(mechanism, OvalPlanetary) and isinstance(mechanism.pair, OvalPair)):
-        require(a is None, "a", a, "the mechanism has sizes; leave it out")
+        require(a is None, "a", a, "leave it out; the mechanism has sizes")
         return wheels
     if a is None:
-        refuse("a", a, "must be stated, the major semi-axis (mm): an OvalPair has no size")
+        refuse("a", a, "must be the major semi-axis (mm), since an OvalPair has no size")
     size = check_real("a", a)
     require(size > 0, "a", a, "must be positive")
     return tuple(w._replace(axis=w.axis * size, a=w.a * size) for w in wheels)
@@ -53,19 +53,19 @@ def measure_centres(wheels: tuple[Wheel, ...]) -> float:
 
 
 def find_ellipse(wheel: Wheel) -> tuple[Array, Array, float]:
-    """Return centre, major semi-axis as a vector and minor to major: one lobe is an ellipse.
+    """Return the centre, the major semi-axis as a vector and the ratio minor/major of an ellipse.
 
-    Its axis is the focus away from the longest radius.
+    A wheel with one lobe is an ellipse that turns about the focus opposite the longest radius.
     """
     along = np.array([np.cos(wheel.turned), np.sin(wheel.turned)])
     return wheel.axis + wheel.a * wheel.e * along, wheel.a * along, float(np.sqrt(1 - wheel.e**2))
 
 
 def trace_outline(wheel: Wheel, tolerance: float) -> Array:
-    """Return points of a closed curve, the first one not repeated, shape (n, 2).
+    """Return points of a closed curve, shape (n, 2), without repeating the first.
 
-    The curve is off the chords by no more than the tolerance (mm), judged at their middle angles.
-    Raises ValueError where that takes too many points.
+    The curve deviates from the chords by at most the tolerance (mm), judged at their middle angles.
+    Raises ValueError if that takes too many points.
     """
     count = FIRST
     while count <= MOST:
@@ -78,15 +78,15 @@ def trace_outline(wheel: Wheel, tolerance: float) -> Array:
         if np.max(away / np.hypot(*chords.T)) <= tolerance / 2:
             return ends
         count *= 2
-    raise ValueError(f"tolerance = {tolerance!r}: takes more than {MOST} points")
+    raise ValueError(f"tolerance = {tolerance!r}: needs more than {MOST} points")
 
 
-# Degrees of the carrier from line to line of a table of the motion.
+# Step of the carrier angle in a table of the motion (degrees).
 STEP = 1.0
 
 
 def write_outlines(wheels: tuple[Wheel, ...], tolerance: float) -> str:
-    """Return a line for each point of the closed outlines; the last one is the first again."""
+    """Return a line for each point of the closed outlines; the last point repeats the first."""
     rows = []
     for wheel in wheels:
         points = trace_outline(wheel, tolerance).tolist()
@@ -122,7 +122,7 @@ MARGIN = 5.0
 
 
 def write_svg(wheels: tuple[Wheel, ...], tolerance: float) -> str:
-    """Return the text of a picture of its size in mm; y points up inside its group."""
+    """Return the text of an SVG picture to scale in mm; y points up inside its group."""
     outlines = np.concatenate([wheel.outline() for wheel in wheels])
     low, high = outlines.min(axis=0) - MARGIN, outlines.max(axis=0) + MARGIN
     width, height = (high - low).tolist()
@@ -166,12 +166,12 @@ def _add_svg_curve(group: Element, wheel: Wheel, tolerance: float) -> Element:
     return SubElement(group, "path", d=f"M {points} Z")
 
 
-# The unit of a drawing that is millimetres, and the colour of each wheel's layer.
+# The colour of each wheel's layer.
 COLOURS = {4: 1, 5: 5, 6: 3, 3: 6}
 
 
 def write_dxf(wheels: tuple[Wheel, ...], tolerance: float) -> str:
-    """Return the text of a drawing: a layer for each wheel, one with the distance of centres.
+    """Return the text of a DXF drawing: one layer for each wheel, one for the centre distance.
 
     Raises ImportError without ezdxf: the extra `cad`.
     """
@@ -205,7 +205,7 @@ def _add_dxf_curve(space: Any, wheel: Wheel, attributes: dict[str, str], toleran
 
 
 def import_ezdxf() -> ModuleType:
-    """Import ezdxf; ImportError that names the extra."""
+    """Import ezdxf; an ImportError names the extra."""
     require_modules("DXF", "cad", ("ezdxf",))
     import ezdxf
     import ezdxf.units

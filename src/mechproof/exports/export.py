@@ -1,4 +1,4 @@
-"""Export: in, a mechanism and the name of a file; out, the file, of the kind that its name says."""
+"""Export: in, a mechanism and a file name; out, the file, in the format given by its suffix."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from mechproof.plot.canvas import make_canvas, use_style
 from mechproof.plot.motion_plot import Planetary, Wheel, check_planetary, pitch_curves, place_wheels
 from mechproof.tools.files import write_whole
 
-# Pictures of a turn of the carrier, so many in a second, so wide and high (mm), dots per inch.
+# Frames in a turn of the carrier and in a second, width and height (mm), dots per inch.
 FRAMES, PER_SECOND, SIZE, DOTS = 60, 20, 85.0, 100
 
 
 def animate(mechanism: Planetary, file: Path, phi1: float) -> None:
-    """Write a turn of the carrier from an angle on. Raises ImportError without matplotlib."""
+    """Animate one turn of the carrier from `phi1` on. Raises ImportError without matplotlib."""
     with use_style({"figure.dpi": DOTS}):
         canvas = make_canvas(SIZE, SIZE)
         from matplotlib.animation import FuncAnimation, PillowWriter
 
-        # What moves with the labels would shake.
+        # A layout that follows the labels would shake.
         canvas.set_layout_engine("none")
         panel = canvas.subplots()
         limits = _find_limits(mechanism)
@@ -47,7 +47,7 @@ def animate(mechanism: Planetary, file: Path, phi1: float) -> None:
 
 
 def _find_limits(mechanism: Planetary) -> tuple[float, float]:
-    """Return limits that hold all wheels at every angle."""
+    """Return axis limits that hold all wheels at every angle."""
     sun, satellite, driver, output = place_wheels(mechanism, 0.0)
     centre = float(np.hypot(*satellite.axis))
     farthest = [sun.a * (1 + sun.e), output.a * (1 + output.e)]
@@ -56,14 +56,14 @@ def _find_limits(mechanism: Planetary) -> tuple[float, float]:
     return -edge, edge
 
 
-# What writes the pitch curves, by the end of the file's name.
+# Writers of the pitch curves, by the suffix of the file.
 CURVES: dict[str, Callable[[tuple[Wheel, ...], float], str]] = {
     ".dxf": write_dxf,
     ".svg": write_svg,
     ".csv": write_outlines,
 }
 FILMS = (".gif", ".html")
-# How far a chord of a polyline may be off its curve (mm).
+# Largest deviation of a chord of a polyline from its curve (mm).
 TOLERANCE = 1e-3
 
 
@@ -84,34 +84,35 @@ def export(
     mechanism : EllipticPlanetary or OvalPlanetary
         The wheels.
     path : path
-        What is written is told by its end: .dxf (needs ezdxf: the extra `cad`), .svg and .csv are
-        the curves in mesh, in mm; .gif and .html an animation of one turn of the carrier (needs
-        matplotlib: the extra `plot`), lengths of an `OvalPair` in units of a; the page takes the
-        signs on its buttons from the internet. A file that is there is replaced.
+        The output file; its suffix gives the format. .dxf (needs ezdxf: the extra `cad`), .svg and
+        .csv hold the curves in mesh, in mm. .gif and .html hold an animation of one turn of the
+        carrier (needs matplotlib: the extra `plot`), with lengths of an `OvalPair` in units of a;
+        the page loads its button icons from the internet. An existing file is replaced.
     phi1 : float
-        Angle of the carrier at which the wheels are drawn, or an animation begins (rad).
+        Carrier angle at which the wheels are drawn or an animation begins (rad).
     degrees : bool
-        Whether angles are in degrees, those of a table, too.
+        Whether angles are in degrees, including those of a table.
     a : float, optional
         Major semi-axis of the wheels (mm) for a mechanism with an `OvalPair`, which has no size.
     tolerance : float
-        How far a chord may be off its curve (mm). Circles and ellipses have no chords in DXF and
-        SVG; ovals are closed polylines there. In CSV all are, and the last point is the first.
+        Largest deviation of a chord from its curve (mm). In DXF and SVG, circles and ellipses have
+        no chords and ovals are closed polylines. In CSV, all curves are closed polylines, and the
+        last point repeats the first.
     what : "curves" or "motion"
-        "motion" is a table of one turn of the carrier, a line for each degree: position, ratio and
-        acceleration; .csv only.
+        "motion" is a table of one turn of the carrier, one line per degree, with position, ratio
+        and acceleration; .csv only.
 
     Returns
     -------
     Path
-        Of the file.
+        The path of the file.
 
     Raises
     ------
     TypeError, ValueError
-        For what is not allowed; the message names it.
+        If an argument is invalid; the message names it.
     ImportError
-        Without the library that a kind of file needs.
+        If the library for the format is missing.
 
     """
     check_planetary(mechanism)
@@ -124,12 +125,12 @@ def export(
     require(error > 0, "tolerance", tolerance, "must be positive")
     kind = file.suffix.lower()
     if what == "motion":
-        require(kind == ".csv", "path", path, "a table of the motion must end in .csv")
+        require(kind == ".csv", "path", path, "must end in .csv for a table of the motion")
         write_whole(file, write_motion(mechanism, in_degrees))
     elif what != "curves":
         refuse("what", what, "must be 'curves' or 'motion'")
     elif kind in FILMS:
-        require(a is None, "a", a, "is of no use to an animation; leave it out")
+        require(a is None, "a", a, "leave it out; an animation does not use it")
         animate(mechanism, file, angle)
     elif kind in CURVES:
         write_whole(file, CURVES[kind](place_in_mm(mechanism, angle, a), error))

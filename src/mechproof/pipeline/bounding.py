@@ -1,6 +1,6 @@
-"""Bounding: in, a file of FPCore or a pasted expression; out, proved bounds of rounding errors.
+"""Bounding: in, an FPCore file or a pasted expression; out, proved bounds on rounding errors.
 
-A bound is what `roundoff` proves over the box, the worst input what its climb finds there.
+`roundoff` proves the bound over the box, and its climb finds the worst input.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ from mechproof.roundoff.boxed import BoxedProgram, Convention, Range, find_worst
 from mechproof.roundoff.steps import StraightLineProgram, make_step, round_constants
 
 FPCORE = ".fpcore"
-# A bound is known to this share, or its box divided into so many parts at most.
+# Relative tolerance of a bound, and the most parts that its box is divided into.
 TOLERANCE, PARTS = 0.002, 200_000
 
 
 @dataclass(frozen=True)
 class Bounding:
-    """A straight-line program, the ranges of its inputs, and what it is called."""
+    """A straight-line program, its name, and the ranges of its inputs."""
 
     name: str
     straight: StraightLineProgram
@@ -52,11 +52,11 @@ class Bounding:
 
 @dataclass(frozen=True)
 class ProvedBound:
-    """What is proved of the error of a program, and the worst input found.
+    """A proved bound on the error of a program, and the worst input found.
 
-    `proved` bounds the error of every input of the box, absolute or, with `relative`, divided by
-    the exact value; it is infinite where nothing is proved, and `open` says of which part. `found`
-    is the error at the exact inputs `at`, of which there are none where no error is finite.
+    `proved` bounds the error, absolute or, with `relative`, divided by the exact value, for every
+    input in the box. It is infinite if nothing is proved; `open` then names the part of the box.
+    `found` is the error at the exact inputs `at`, which are empty if no error is finite.
     """
 
     name: str
@@ -71,7 +71,7 @@ class ProvedBound:
     open: str = ""
 
     def as_dict(self) -> dict[str, object]:
-        """Return the JSON row; exact inputs are fractions in digits."""
+        """Return the JSON row, with exact inputs as fractions."""
         return {
             "name": self.name,
             "proved": self.proved if math.isfinite(self.proved) else None,
@@ -97,17 +97,17 @@ def bound(
     parts: int = PARTS,
     report: Callable[[str], None] = lambda text: None,
 ) -> tuple[ProvedBound, ...]:
-    """Prove bounds of the rounding errors of programs in doubles, to nearest.
+    """Prove bounds on the rounding errors of programs in doubles, rounded to nearest.
 
-    `source` names a file of FPCore, or is an expression in LaTeX, whose letters lie where the
-    relations `where` say. Inputs are doubles; with `rounded_inputs` they are real numbers that are
-    rounded first. With `relative` errors are divided by the exact value. Functions as sin are taken
-    to be off by at most `ulps` of their results. A bound is above the least that this analysis can
-    show by at most a share of `tolerance`, unless the box would be divided into more `parts`.
-    `report` is told what is bounded.
+    `source` is the name of an FPCore file, or an expression in LaTeX whose letters lie in the
+    ranges given by the relations `where`. Inputs are doubles or, with `rounded_inputs`, real
+    numbers that are first rounded. With `relative`, errors are divided by the exact value.
+    Functions such as sin are assumed accurate to `ulps` ulps of their results. A bound exceeds the
+    least that this analysis can show by a relative `tolerance` at most, unless that takes more than
+    `parts` parts of the box. `report` is called with a message about each program.
 
     Raises `FPCoreError` for a file that cannot be read or is not straight-line, `PastedError` for
-    an expression, `ValueError` and `TypeError` for other arguments.
+    an invalid expression, and `ValueError` or `TypeError` for other invalid arguments.
     """
     require(isinstance(source, str | Path), "source", source, "must be a file or LaTeX", TypeError)
     where = check_texts("where", where)
@@ -121,7 +121,7 @@ def bound(
     check_function("report", report)
     convention = Convention(rounded_inputs, relative, check_number("ulps", ulps))
     if str(source).endswith(FPCORE):
-        require(not where, "where", where, f"a file says it by :pre: {source}")
+        require(not where, "where", where, f"must be empty; {source} has its own :pre")
         found = read_boundings(Path(source))
     else:
         found = (read_pasted(Pasted(str(source), where=where)),)
@@ -129,7 +129,7 @@ def bound(
 
 
 def read_boundings(path: Path) -> tuple[Bounding, ...]:
-    """Return the cores of a file; `FPCoreError` names it."""
+    """Return the cores of a file; an `FPCoreError` names the file."""
     try:
         cores = read_cores(read_file(path))
     except OSError as error:
@@ -140,7 +140,7 @@ def read_boundings(path: Path) -> tuple[Bounding, ...]:
 
 
 def read_pasted(pasted: Pasted) -> Bounding:
-    """Return an expression as it would be emitted; `PastedError` for what cannot be read."""
+    """Return an expression as it would be emitted; raise `PastedError` if it cannot be read."""
     try:
         expression, sets = read_expression(pasted)
         letters = sorted(expression.free_symbols, key=str)
@@ -157,11 +157,11 @@ def read_pasted(pasted: Pasted) -> Bounding:
 
 
 def _find_range(letter: sp.Symbol, within: sp.Set) -> Range:
-    """Return the ends of a set, those that are no fractions as doubles beyond."""
+    """Return the ends of a set; ends that are not fractions are rounded outwards to doubles."""
     low, high = (within.inf, within.sup) if isinstance(within, sp.Interval) else (-sp.oo, sp.oo)
     for end, sign in ((low, "<="), (high, ">=")):
         if end.is_infinite:
-            raise ValueError(f"--where says no number that is {sign} {letter}")
+            raise ValueError(f"--where gives no number that is {sign} {letter}")
     return _take_end(low, is_low=True), _take_end(high, is_low=False)
 
 
@@ -179,7 +179,7 @@ def bound_all(
     parts: int,
     report: Callable[[str], None],
 ) -> Iterator[ProvedBound]:
-    """Yield the bounds of programs; ValueError for what no rule bounds."""
+    """Yield the bounds of programs; raise ValueError for an operation that no rule bounds."""
     for bounding in boundings:
         report(f"bounding {bounding.name}")
         yield bound_one(bounding, convention, tolerance, parts)
@@ -190,8 +190,8 @@ def bound_one(
 ) -> ProvedBound:
     """Prove a bound and look for the worst input.
 
-    Raises ArithmeticError where an input is off by more than is proved: then an assumption does
-    not hold here, or the proof is wrong.
+    Raises ArithmeticError if an error exceeds the proved bound: then an assumption does not hold
+    here, or the proof is wrong.
     """
     start = time.process_time()
     try:
@@ -205,8 +205,8 @@ def bound_one(
         resting = " and ".join(program.assumptions)
         place = ", ".join(f"{name} = {value}" for name, value in at.items())
         raise ArithmeticError(
-            f"{bounding.name}: off by {found} at {place}, where {largest.bound} is "
-            f"proved as long as {resting}"
+            f"{bounding.name}: off by {found} at {place}, above the bound {largest.bound}, "
+            f"proved assuming {resting}"
         )
     return ProvedBound(
         bounding.name,

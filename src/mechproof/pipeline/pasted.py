@@ -1,4 +1,4 @@
-"""A pasted equation -> its judgements: what is not said is taken as a real number, and told."""
+"""A pasted equation -> its judgements; undeclared letters are taken as real and listed."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ NUMBER = "equation"
 
 
 class PastedError(ValueError):
-    """What was pasted, or said about it, cannot be read."""
+    """The pasted text, or what was said about it, cannot be read."""
 
 
 @dataclass(frozen=True)
@@ -74,9 +74,9 @@ class Checked:
 
 
 def check_pasted(pasted: Pasted, limit: float) -> Checked:
-    """Judge a pasted equation in a process of its own.
+    """Judge a pasted equation in a separate process.
 
-    Raises `PastedError` for what cannot be read, `WorkerError` for what takes longer than `limit`
+    Raises `PastedError` if it cannot be read, and `WorkerError` if it takes longer than `limit`
     seconds or ends its process.
     """
     ((_, answer),) = run_tasks(_answer, [pasted], limit=limit)
@@ -107,9 +107,9 @@ def judge_equation(
 ) -> Checked:
     r"""Judge an equation in LaTeX, a chain or a relation.
 
-    Relations `where` say in which it is meant, 0<x<1; `values` are those of letters, k=a/b, `names`
-    prints that are one quantity, `factors` what a bracket behind multiplies, and letters that are
-    `natural` count from 1. Raises `ValueError` for what cannot be read.
+    `where` lists relations that must hold, such as 0<x<1; `values` gives letters values, such as
+    k=a/b; `names` lists notations for single quantities, `factors` letters that multiply a bracket
+    after them. Letters in `natural` count from 1. Raises `ValueError` for what cannot be read.
     """
     pasted = Pasted(
         check_text("latex", latex),
@@ -124,10 +124,10 @@ def judge_equation(
 
 @without_estimates()
 def judge_pasted(pasted: Pasted) -> Checked:
-    """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read.
+    """Judge a pasted equation; raise `ValueError` (or `ReadingError`) if it cannot be read.
 
-    Bold letters are vectors; where that cannot be read, capitals are matrices, and letters before
-    brackets functions of which nothing is known.
+    Bold letters are vectors. If that cannot be read, capitals are taken as matrices, and letters
+    before brackets as unknown functions.
     """
     if directions := part_equivalence(pasted):
         one, other = map(judge_pasted, directions)
@@ -192,7 +192,7 @@ def _judge(pasted: Pasted) -> Checked:
 def _leave_out_shown(
     needed: Sequence[Relational], variables: Sequence[Variable], said: Sequence[sp.Basic]
 ) -> list[Relational]:
-    """Return what is needed so that values are real and does not follow from what is said."""
+    """Return the conditions for real values that do not follow from what is said."""
     if not needed:
         return []
     narrowed, where = narrow(*count_from_zero(variables, said))
@@ -206,7 +206,7 @@ def _is_shown(relation: Relational, domain: Domain) -> bool:
 
 
 def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
-    """Compare what is printed of a letter that others give, or that gives them: none is new."""
+    """Compare a printed definition with what other letters give, if its letter is not new."""
     says = row.says
     if not isinstance(says, Definition):
         return row
@@ -223,9 +223,9 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
 
 
 def _round_given(row: Row, letters: Letters) -> Row:
-    """Let the decimal that a letter is given by be what the other side rounds to.
+    """Take the decimal given for a letter as the other side, rounded.
 
-    Where that has the letter itself it is exact, as everywhere within an expression.
+    If the other side has the letter itself, the decimal is exact, as within any expression.
     """
     says, values = row.says, {v.symbol: v.given for v in letters.variables if v.given is not None}
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
@@ -240,19 +240,19 @@ def _round_given(row: Row, letters: Letters) -> Row:
 
 
 def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]]:
-    """Return what is pasted, of an equation the right side, and the sets of its letters.
+    """Return the pasted expression, or the right side of an equation, and its letters' sets.
 
-    `ValueError` (also `ReadingError`) for what cannot be read, and for relations between letters.
+    Raises `ValueError` (or `ReadingError`) if it cannot be read or a relation is between letters.
     """
     pasted = replace(pasted, latex=unwrap(pasted.latex))
     letters = read_letters(pasted)
     variables, where = narrow(letters.variables, [*letters.relations, *letters.needed])
     if where:
-        raise ValueError(f"--where {where[0]}: it is no range of one letter")
+        raise ValueError(f"--where {where[0]}: must be a range of one letter")
     read = Reader(variables, letters.notation, COMMAND).parse(pasted.latex)
     (chain,) = read.chains if len(read.chains) == 1 else (None,)
     if chain is None or chain.condition or len(chain.members) > 2:
-        raise ValueError("one expression is needed, or an equation whose right side it is")
+        raise ValueError("one expression is needed, or an equation with it on the right side")
     expression = read.meaning().of(chain.members[-1])
     given = {v.symbol: v.given for v in variables if v.given is not None}
     for _ in given:
@@ -261,7 +261,7 @@ def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]
 
 
 def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
-    """Refuse a letter that is introduced twice, or of which more is said than its definition."""
+    """Refuse a letter that is introduced twice, or that other statements restrict, too."""
     says = [row.says for row in rows if isinstance(row.says, Definition)]
     defined = [one.symbol for one in says]
     bound = {s.name.removesuffix("_") for one in says for s in find_bound(one.printed)}
@@ -269,56 +269,56 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
         if symbol.name == "e":
             raise ValueError(
                 r"e stands alone on a side: Euler's number, or a letter? Print \mathrm{e} for the "
-                "number; say the value of the letter by --let"
+                "number; give the value of the letter by --let"
             )
         if symbol.name in bound:
-            raise ValueError(f"{symbol} is bound on a side: print another letter for one of them")
+            raise ValueError(f"{symbol} is bound on a side: use another letter for one of them")
         if defined.count(symbol) > 1:
-            raise ValueError(f"{symbol} is defined twice: say one of them by --let")
+            raise ValueError(f"{symbol} is defined twice: give one definition by --let")
         if symbol in said:
             raise ValueError(
-                f"the equation defines {symbol}, of which its condition or --where says something: "
-                "say its value by --let, or leave that out"
+                f"the equation defines {symbol}, but its condition or --where restricts it: "
+                "give its value by --let, or leave the restriction out"
             )
 
 
 def _refuse_open(rows: Sequence[Row], reader: Reader, running: Collection[sp.Basic]) -> None:
-    r"""Refuse a function of what runs that stands where nothing runs, \int_0^1u'\,dx=u."""
+    r"""Refuse a function of a running variable where nothing runs, as in \int_0^1u'\,dx=u."""
     for side in (side for row in rows for side in reader.members(row)):
         if met := settle_all(side, reader.values).free_symbols & {*running}:
-            raise ValueError(f"nothing says at which {min(map(str, met))} a function is meant")
+            raise ValueError(f"nothing says at which {min(map(str, met))} to take a function")
 
 
 # What is said -----------------------------------------------------------------------------------
 
 
 def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
-    r"""Refuse f(x) that is named as one quantity, where x runs, \int_0^1f(x)\,dx, and a free C.
+    r"""Refuse f(x) named as one quantity where x runs, as in \int_0^1f(x)\,dx, and a free C.
 
-    A C beside an integral without limits depends on where that starts.
+    A C beside an integral without limits depends on where the integral starts.
     """
     parts = [p for text in pasted.prints for p in walk(reader.parse(text, upper=1).chains)]
     bound = (getattr(p, name, None) for p in parts for name in ("by", "differential", "index"))
     running = {letter.text for letter in bound if isinstance(letter, Letter)}
     for text in (p.text for p in parts if isinstance(p, Letter) and "(" in p.text):
         if met := sorted(running & {*list_signs(text.partition("(")[2].rpartition(")")[0])}):
-            raise ValueError(f"{text} is named as one quantity, but {met[0]} runs: print its value")
+            raise ValueError(f"{text} is named as one quantity, but {met[0]} runs: write its value")
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
-            "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "
-            "the integral starts."
+            "C beside an integral without limits is undetermined: give --let 'C=0', or its value "
+            "where the integral starts."
         )
 
 
 def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
-    """Return what an equation itself says of where it is meant, if all of it is meant there."""
+    """Return the conditions stated in an equation, if they apply to all of it."""
     read = reader.parse(latex, upper=1)
     conditions = {chain.condition for chain in read.chains}
     relations = [r for part in conditions if part for r in read.meaning().relate(part)]
     for relation in relations:
         if isinstance(relation, sp.Equality):
             raise ValueError(
-                f"the condition {relation.lhs} = {relation.rhs}: say the value of a letter by --let"
+                f"the condition {relation.lhs} = {relation.rhs}: give a letter's value by --let"
             )
     return relations if len(conditions) == 1 else []

@@ -1,4 +1,4 @@
-"""Formulas of a quantity in the reader's language: text that needs nothing beside it.
+"""Formulas of a quantity in the reader's language, as self-contained text.
 
 >>> from mechproof import formula
 >>> formula("elliptic_planetary.ratio").octave.splitlines()[0]
@@ -29,7 +29,7 @@ from mechproof.record.substitution import resolve
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 
-# Attributes that are code to be copied, and what people call the languages.
+# Attributes that hold code to copy, and the usual names of their languages.
 LANGUAGES = {
     "python": "Python",
     "c": "C",
@@ -54,14 +54,14 @@ C_REMARK = Markup(
 class Formula:
     """A quantity in several languages, each with its domain and its source as a comment.
 
-    `latex` and `mathml` are the definition in the letters of the paper, `sympy` is source that
-    binds it to the quantity's name. The others are functions `<system>_<quantity>`, of the
-    operations of the kernel: `python` with NumPy, `array_api` (for JAX, PyTorch and what else keeps
-    to that standard) and `octave` (MATLAB, too) of numbers or arrays, `c` (C99; elementary
-    functions written out, as `mechproof emit c` has them), `javascript` and `structured_text` (IEC
-    61131-3) of numbers. Where a language has no fused multiply-add, rests of products are computed
-    by error-free products. Numbers are written so that they are read back exactly. An attribute
-    raises NotImplementedError where a language cannot compute the quantity, and says why.
+    `latex` and `mathml` are the definition in the letters of the paper; `sympy` is code that binds
+    it to the quantity's name. The others are functions `<system>_<quantity>` with the operations of
+    the kernel. `python` (NumPy), `array_api` (JAX, PyTorch and other libraries that follow that
+    standard) and `octave` (also MATLAB) take numbers or arrays; `c` (C99; elementary functions
+    written out, as in `mechproof emit c`), `javascript` and `structured_text` (IEC 61131-3) take
+    numbers. Where a language has no fused multiply-add, error-free products replace it. Numbers
+    read back exactly. An attribute raises NotImplementedError, with the reason, if its language
+    cannot compute the quantity.
     """
 
     name: str
@@ -84,10 +84,10 @@ class Formula:
 
     @property
     def sympy(self) -> str:
-        """Return source of SymPy that defines the symbols and the quantity."""
+        """Return SymPy code that defines the symbols and the quantity."""
         quantity = self._kernel.quantity
         if self._kernel.code.indexed:
-            raise NotImplementedError(f"{self.name}: sums over axes are not written in SymPy")
+            raise NotImplementedError(f"{self.name}: sums over axes cannot be written in SymPy")
         written = resolve(quantity.definition, self._paper.given)
         symbols = sorted(written.free_symbols, key=str)
         text = sp.sstr(written, sympy_integers=True)
@@ -100,36 +100,36 @@ class Formula:
 
     @property
     def c(self) -> str:
-        """Return a source in C99."""
+        """Return C99 source code."""
         return render_c_formula(self._kernel, self._paper)
 
     @property
     def python(self) -> str:
-        """Return a module of Python with NumPy."""
+        """Return a Python module that uses NumPy."""
         return render_script(self._kernel, self._paper, "python")
 
     @property
     def array_api(self) -> str:
-        """Return a module of Python for arrays of any library, as JAX's and PyTorch's."""
+        """Return a Python module for arrays of any library, such as JAX or PyTorch."""
         return render_script(self._kernel, self._paper, "array_api")
 
     @property
     def octave(self) -> str:
-        """Return a file of Octave or MATLAB."""
+        """Return an Octave or MATLAB file."""
         return render_script(self._kernel, self._paper, "octave")
 
     @property
     def javascript(self) -> str:
-        """Return a module of JavaScript."""
+        """Return a JavaScript module."""
         return render_script(self._kernel, self._paper, "javascript")
 
     @property
     def structured_text(self) -> str:
-        """Return functions of Structured Text."""
+        """Return Structured Text functions."""
         return render_script(self._kernel, self._paper, "structured_text")
 
     def _list_equations(self) -> Iterator[tuple[str, str]]:
-        """List the definition and those of the symbols in it, as LaTeX."""
+        """List the definitions of the quantity and of the symbols in it, as LaTeX."""
         quantity, paper = self._kernel.quantity, self._paper
         name = write_latex(sp.Symbol(quantity.name), ())
         yield name, write_latex(quantity.definition, paper.variables)
@@ -144,15 +144,15 @@ def formula(name: str, *, derivations: str | os.PathLike[str] | None = None) -> 
     Parameters
     ----------
     name : str
-        system.quantity, such as elliptic_planetary.position, or the function of another form of
-        ours that equals it, as elliptic_planetary.position_tan_half.
+        system.quantity, such as elliptic_planetary.position, or the function of another form that
+        equals it, such as elliptic_planetary.position_tan_half.
     derivations : path, optional
-        The folder of the derivation; that of the package if left out.
+        The folder of the derivation; by default that of the package.
 
     Raises
     ------
     TypeError, ValueError
-        If the name is none of a quantity with a kernel; the message lists what there is.
+        If the name is not that of a quantity with a kernel; the message lists the choices.
 
     """
     system, _, wanted = check_text("name", name).partition(".")

@@ -1,11 +1,11 @@
 """Tailored kernels: in, a quantity, its parameters and an error; out, the cheapest loop for them.
 
-`request` checks what is asked for, `design` guesses pieces and degrees, `build` finds coefficients,
+`request` checks the request, `design` guesses pieces and degrees, `build` finds coefficients,
 `enclosure` proves the error of the program that `model` writes, `tailored` prints and loads it,
-`receiving` reads one that was pickled.
+`receiving` reads a pickled kernel.
 
-Metalibm (Brunie et al. 2015) makes functions of a library for an interval and an accuracy so, with
-bounds from Sollya. What differs is that any quantity of a paper is taken, its parameters put in.
+Metalibm (Brunie et al. 2015) likewise makes library functions for an interval and an accuracy, with
+bounds from Sollya. Here, any quantity of a paper can be taken, with its parameters substituted.
 """
 
 from __future__ import annotations
@@ -35,39 +35,39 @@ def tailor(
     Parameters
     ----------
     name : str
-        system.quantity, a number that depends on numbers alone.
+        system.quantity, a scalar function of scalars.
     error : float
-        The largest error permitted, absolute, in the unit of the quantity (rad, mm).
+        Largest absolute error permitted, in the unit of the quantity (rad, mm).
     derivations : path, optional
-        The folder of derivations that has the system, whose kernels lie in `generated` beside it;
-        left out: those of the package.
+        The folder of derivations that has the system, with its kernels in `generated` beside it; by
+        default those of the package.
     arguments : float
-        The parameters, by name. Of the running variable, the first argument of the quantity, the
-        range as a pair (lowest, highest). Where the quantity repeats in it, the range may be left
-        out: it is then symmetric about 0, up to a power of two, and as long as roundings take no
-        more than a quarter of the error, 2**23 periods at most.
+        The parameters by name, and the range of the running variable (the first argument of the
+        quantity) as a pair (lowest, highest). If the quantity repeats, the range may be left out:
+        it is then symmetric about 0, up to a power of two, and as long as rounding takes no more
+        than a quarter of the error, 2**23 periods at most.
 
     Returns
     -------
     Tailored
-        A function of the running variable that shows its proved bound, its degrees and its range.
-        With numba (the extra fast) a compiled loop, else NumPy's operations. `write_c` writes it
-        in C99, with the same bits as numba's where contractions are forbidden. It can be pickled,
-        for processes that have the same extras.
+        A function of the running variable that shows its proved bound, degrees and range. It is a
+        compiled loop with numba (the extra fast), and uses NumPy otherwise. `write_c` writes it in
+        C99, with the same bits as numba if contractions are forbidden. It can be pickled for
+        processes with the same extras.
 
     Raises
     ------
     TypeError, ValueError
-        An argument is missing, unknown or outside of its domain; doubles do not reach the error on
-        this range.
+        If an argument is missing, unknown or outside its domain, or doubles cannot reach the error
+        on this range.
     ImportError
-        The extra derive is not installed.
+        If the extra derive is not installed.
 
     Notes
     -----
-    Polynomials of pieces, as few operations as such need; of each the lowest degree whose error,
-    enclosed by ball arithmetic over the whole range, meets what is asked. The bound holds with and
-    without fma.
+    The kernel evaluates piecewise polynomials with as few operations as these need. Each has the
+    lowest degree whose error, enclosed by ball arithmetic over the whole range, meets the request.
+    The bound holds with and without fma.
 
     >>> import mechproof
     >>> sizes = {"R1": 66, "R2": 16, "e": 0.475}
@@ -83,7 +83,7 @@ def tailor(
     from mechproof.tailoring.request import read_request
     from mechproof.tailoring.tailored import make_kernel
 
-    # Precision and length of series belong to the process.
+    # Precision and series length are global to the process.
     with BALLS:
         request = read_request(name, error, arguments, derivations)
         return make_kernel(request, build(request))

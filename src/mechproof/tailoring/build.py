@@ -35,18 +35,18 @@ from mechproof.tailoring.model import Model, PeriodReduction, Piece, Pieces
 from mechproof.tailoring.request import Request
 
 BITS = 53
-# So many periods can be taken off: a word of the period still has enough bits.
+# Most periods that can be subtracted: a word of the period still has enough bits.
 MOST_PERIODS = 2**23
-# Of the error: what may be lost outside of the polynomials where the range is free, and what one
-# word of the period alone may lose.
+# Shares of the error that may be lost outside the polynomials where the range is free, and by one
+# word of the period alone.
 OUTSIDE, ONE_WORD = 0.25, 1 / 16
-# Of what is left of the error: where the first plan aims. Shares of that for the later ones, much
-# lower where the samples that plans are made from miss something steep.
+# Share of the remaining error at which the first plan aims, and shares of that for later plans,
+# much lower in case the samples behind the plans miss something steep.
 AIM = 0.8
 LOWER = (1.0, 0.7, 0.5, 0.35, 0.25, 1e-2, 1e-3, 1e-4)
-# Of values, in eps: what evaluating a polynomial rounds, estimated.
+# Estimated relative rounding error of a polynomial.
 ROUNDED = 2.0**-52
-# How often an error is raised until it is reachable, and then lowered by bisection.
+# How often and by what factor an error is raised until reachable; bisections that then lower it.
 RAISED, STEP, CLOSER = 8, 8.0, 2
 SLOPE_POINTS = 2049
 
@@ -64,7 +64,7 @@ class Built:
 
 
 class Approximand:
-    """What is approximated: on one period, the gain taken off, or on the range itself."""
+    """The function to approximate: on one period, less the gain, or on the range itself."""
 
     def __init__(self, request: Request, repetition: Repetition | None) -> None:
         self.request, self.repetition = request, repetition
@@ -91,7 +91,7 @@ class Approximand:
         return -half, half
 
     def _is_odd(self, end: float) -> bool:
-        """Guess whether the function is odd: what is built on it is enclosed on both sides."""
+        """Guess whether the function is odd; the resulting model is enclosed on both sides."""
         points = np.linspace(0, end, 33)
         sums = self.approximate(points) + self.approximate(-points)
         return bool(np.max(np.abs(sums)) <= 2.0**-46 * np.max(np.abs(self.approximate(points))))
@@ -111,7 +111,7 @@ class Approximand:
 
 
 def build(request: Request) -> Built:
-    """Build the model; ValueError for an error that cannot be reached."""
+    """Build the model; raise ValueError if the error cannot be reached."""
     task = Approximand(request, _repetition_over(request))
     if not math.isfinite(task.size):
         refuse(request.variable, request.ends, f"{request.name} is undefined somewhere there")
@@ -122,12 +122,12 @@ def build(request: Request) -> Built:
             seek_break(task.expand, *task.ends)
             least = _find_reachable(task)
     except NotReachedError:
-        refuse("error", request.error, "nothing that can be tailored to these sizes comes near it")
+        refuse("error", request.error, "no kernel tailored to these sizes comes near it")
     except BreakError as error:
         what = f"{request.name} jumps or is undefined about {error.place:.9g}"
-        refuse(request.variable, request.ends, f"{what}: give a range on one side of that")
+        refuse(request.variable, request.ends, f"{what}: give a range on one side of it")
     where = f"for {request.variable} = {request.ends}" if request.ends else "over one period"
-    refuse("error", request.error, f"must be at least {least}: hardly less is reached {where}")
+    refuse("error", request.error, f"must be at least {least}: hardly less can be reached {where}")
 
 
 def _repetition_over(request: Request) -> Repetition | None:
@@ -138,7 +138,7 @@ def _repetition_over(request: Request) -> Repetition | None:
 
 
 def _find_reachable(task: Approximand) -> str:
-    """Return about the smallest error that is reached."""
+    """Return roughly the smallest error that can be reached."""
     error = max(task.request.error, ROUNDED * task.size)
     error = max(error, _lose_outside(task, *_choose_range(task, error)))
     for _ in range(RAISED):
@@ -160,7 +160,7 @@ def _find_reachable(task: Approximand) -> str:
 
 
 def round_up(number: float) -> str:
-    """Write a bound with three digits, none of them too small."""
+    """Write a bound with three digits, rounded up."""
     text = f"{number:.2e}"
     step = 10.0 ** (math.floor(math.log10(number)) - 2)
     return text if float(text) >= number else f"{number + step:.2e}"
@@ -212,14 +212,14 @@ def _fit_piece(exact: Callable[[Ball], Ball], centre: float, reach: Ball, powers
 def _lose_outside(
     task: Approximand, low: float, high: float, reduction: PeriodReduction | None
 ) -> float:
-    """Bound what is lost outside of the polynomials."""
+    """Bound the error made outside the polynomials."""
     if reduction is None or task.repetition is None:
         return 0.0
     return bound_outside(reduction, task.repetition, max(-low, high), task.slope)
 
 
 def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
-    """List the cheapest plan, then ones that aim lower."""
+    """List the cheapest plan, then plans that aim lower."""
     for share in LOWER:
         plans = list_plans(stretch, share * tolerance)
         if not plans:
@@ -246,7 +246,7 @@ def _lower(
 
 
 def _choose_range(task: Approximand, error: float) -> tuple[float, float, PeriodReduction | None]:
-    """Return the range and the reduction over it; free, it is as long as the error permits."""
+    """Return the range and its reduction; a free range is as long as the error permits."""
     request, repetition = task.request, task.repetition
     if repetition is None:
         assert request.ends is not None
@@ -271,7 +271,7 @@ def _choose_range(task: Approximand, error: float) -> tuple[float, float, Period
 def _reduce(
     task: Approximand, repetition: Repetition, farthest: float, error: float
 ) -> PeriodReduction:
-    """Return a reduction that takes whole periods off, by one word of the period if that does."""
+    """Return a reduction that subtracts whole periods, with one word of the period if enough."""
     rate = DOUBLE.round(take_middle(repetition.rate))
     period = take_middle(repetition.period)
     short = replace(DOUBLE, bits=BITS - 1 - math.ceil(farthest / float(period) + 1).bit_length())

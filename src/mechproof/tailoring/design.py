@@ -1,7 +1,7 @@
-"""Design: in, a function on an interval; out, where polynomials of which degrees may serve.
+"""Design: in, a function on an interval; out, pieces and degrees of polynomials that may serve.
 
-Everything here is an estimate in doubles, from Chebyshev coefficients at some points, whose decay
-says what a degree leaves (Trefethen 2013): what is designed is fitted and enclosed afterwards.
+Everything here is an estimate in doubles from Chebyshev coefficients at some points, whose decay
+shows the error at each degree (Trefethen 2013). Designs are fitted and enclosed afterwards.
 """
 
 from __future__ import annotations
@@ -15,24 +15,24 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Function = Callable[[Array], Array]
-# Nodes for odd polynomials on half a period, and inner edges that are tried there.
+# Nodes for odd polynomials on half a period, and inner edges tried there.
 NODES, EDGES = 256, 96
-# Coefficients after the last of a polynomial that its error is estimated from.
+# Coefficients beyond the last one of a polynomial, from which its error is estimated.
 AHEAD = 8
 UNIT, GROWTH = 2.0**-53, 1 + 2**0.5
 MOST_PIECES, MOST_TERMS = 16, 26
-# How often a tolerance is raised by half until it suits some pieces.
+# How often a tolerance is raised by half until the pieces suffice.
 LOOSENED = 12
-# An edge that is passed by so little of a piece is its end.
+# A piece that passes an edge by less than this share of itself ends there.
 PASSED = 0.1
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Pieces between `edges`, with so many coefficients each.
+    """Pieces between `edges`, each with the stated number of coefficients.
 
-    `odd`: those of odd powers, about 0 and about the end, half a period away. `mirrored`: of an
-    odd function, right of 0. `error` is an estimate.
+    `odd`: polynomials in odd powers, about 0 and about the end, half a period away. `mirrored`: the
+    pieces of an odd function, right of 0. `error` is an estimate.
     """
 
     edges: tuple[float, ...]
@@ -48,16 +48,17 @@ class Plan:
 
     @property
     def cost(self) -> int:
-        """Count the operations: a coefficient is multiplied in and chosen among those of pieces."""
+        """Count the operations: a coefficient is multiplied in, and selected by piece."""
         overhead = 4 if self.odd and self.count > 1 else 0
         return self.terms * self.count + self.count - 1 + overhead + 3 * self.mirrored
 
 
 @dataclass(frozen=True)
 class Stretch:
-    """A function on an interval; `corners` are where it may not be smooth.
+    """A function on an interval; it may not be smooth at `corners`.
 
-    `odd`: an odd function, right of 0. `periodic`: the interval is a period, or half of one.
+    `odd`: the function is odd, and the interval right of 0. `periodic`: the interval is a period,
+    or half of one.
     """
 
     function: Function
@@ -78,7 +79,7 @@ def _transform(count: int) -> tuple[Array, Array]:
 
 
 def _expand(function: Function, low: Array, high: Array, count: int) -> Array:
-    """Return sizes of Chebyshev coefficients on intervals, one a row; NaN counts as endless."""
+    """Return absolute Chebyshev coefficients, one interval per row; NaN counts as infinite."""
     nodes, matrix = _transform(count)
     middle, half = (low + high) / 2, (high - low) / 2
     values = function(middle[:, None] + half[:, None] * nodes)
@@ -87,9 +88,9 @@ def _expand(function: Function, low: Array, high: Array, count: int) -> Array:
 
 
 def _estimate(sizes: Array) -> Array:
-    """Estimate the error with all coefficients before each: of the others, and of roundings.
+    """Estimate the error of keeping the coefficients before each: truncation and rounding.
 
-    The powers in T_k add up to (1 + sqrt(2))**k where its value is 1: so much is cancelled.
+    The powers in T_k add up to (1 + sqrt(2))**k where its value is 1: that much is cancelled.
     """
     padded = np.pad(sizes, [(0, 0), (0, AHEAD)])
     windows = np.lib.stride_tricks.sliding_window_view(padded, AHEAD, axis=1)
@@ -118,7 +119,7 @@ def list_plans(stretch: Stretch, tolerance: float) -> list[Plan]:
 
 
 def plan_odd(stretch: Stretch, terms: int, count: int) -> Plan:
-    """Plan polynomials of so many odd powers: one about 0, or a second one about the end, too."""
+    """Plan polynomials of given odd powers: one about 0, or a second about the end, too."""
     end = stretch.high
     inner, near, far = _expand_odd(stretch)
     worst = near if count == 1 else np.maximum(near, far)
@@ -138,7 +139,7 @@ def _expand_odd(stretch: Stretch) -> tuple[Array, Array, Array]:
 
 
 def plan_pieces(stretch: Stretch, terms: int, count: int, tolerance: float) -> Plan | None:
-    """Plan so many pieces of one size of error, some tolerance the lowest for them."""
+    """Plan at most `count` pieces of equal error, at the first tolerance that permits them."""
     plan = None
     for _ in range(LOOSENED):
         edges = _cut(stretch, terms, tolerance)
@@ -150,7 +151,7 @@ def plan_pieces(stretch: Stretch, terms: int, count: int, tolerance: float) -> P
 
 
 def _cut(stretch: Stretch, terms: int, tolerance: float) -> list[float] | None:
-    """Cut the interval into pieces as long as can be; None for too many."""
+    """Cut the interval into the longest possible pieces; None if there are too many."""
     edges = [stretch.low]
     while edges[-1] < stretch.high:
         if len(edges) > MOST_PIECES:

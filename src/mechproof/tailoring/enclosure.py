@@ -1,9 +1,9 @@
-"""Enclosure: in, a model and the exact function; out, a proved bound of the error of its program.
+"""Enclosure: in, a model and the exact function; out, a proved bound on the error of its program.
 
-Over cells of the reduced variable the difference of program and definition is a Taylor polynomial
-with its remainder, in balls; the roundings of the program, of the reduction before it and of the
-sum after it are added. For the approximation alone this is the certified supremum norm of Sollya
-(Chevillard et al. 2011).
+Over cells of the reduced variable, the difference between program and definition is a Taylor
+polynomial with remainder, in balls. The rounding errors of the program, of the reduction before it
+and of the sum after it are added. For the approximation alone, this is the certified supremum norm
+of Sollya (Chevillard et al. 2011).
 """
 
 from __future__ import annotations
@@ -31,25 +31,25 @@ from mechproof.tailoring.model import (
 
 Exact = Callable[[Series], Series]
 ORDER = 14
-# A cell is cut while its bound is wider than this above what is met at points, or than that of
+# A cell is cut while its bound exceeds the error met at points by this factor, and this share of
 # the limit.
 WIDE, SMALL = 1.05, 0.1
-# Of the range: cells in which roundings are no longer taken for larger than they are, and the
+# Shares of the range: cells in which rounding errors are no longer overestimated, and the
 # narrowest.
 NARROW, NARROWEST = 2.0**-9, 2.0**-48
-# Of values: what cannot be enclosed closer in the narrowest cell jumps there.
+# Share of the values: a function that the narrowest cell cannot enclose closer jumps there.
 JUMP = 2.0**-30
 SAMPLES = 16
-# A cell is narrow enough for one swing of the error of a polynomial of so many coefficients.
+# A cell must be narrow enough for one swing of the error of a polynomial with its coefficients.
 SWINGS = 2
 
 
 class ExceededError(ArithmeticError):
-    """The error is more than the limit somewhere."""
+    """The error exceeds the limit somewhere."""
 
 
 class BreakError(ArithmeticError):
-    """The definition cannot be enclosed about a point: it jumps there, or is not defined."""
+    """The definition cannot be enclosed about a point: it jumps or is undefined there."""
 
     def __init__(self, place: float) -> None:
         super().__init__(place)
@@ -58,7 +58,7 @@ class BreakError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Bound:
-    """A bound of the whole error; `roundings` is what no polynomial can take away."""
+    """A bound on the whole error; no polynomial can reduce `roundings`."""
 
     error: float
     roundings: float
@@ -66,7 +66,7 @@ class Bound:
 
 @dataclass(frozen=True)
 class Repetition:
-    """A period, and the gain over it by the period, in balls."""
+    """A period, and the gain over it divided by it, in balls."""
 
     period: Ball
     rate: Ball
@@ -74,7 +74,7 @@ class Repetition:
 
 @dataclass
 class _Worst:
-    """The largest: bound, error met for certain, rounding, slope of the function, value."""
+    """The largest bound, error certainly attained, rounding error, slope of the function, value."""
 
     bound: Ball
     met: Ball
@@ -83,7 +83,7 @@ class _Worst:
     size: Ball
 
     def join(self, other: _Worst) -> None:
-        """Take in another cell."""
+        """Include another cell."""
         for name in ("bound", "met", "off", "slope", "size"):
             setattr(self, name, getattr(self, name).max(getattr(other, name)))
 
@@ -91,8 +91,8 @@ class _Worst:
 def enclose(model: Model, exact: Exact, repetition: Repetition | None, limit: float) -> Bound:
     """Bound the error of a model's program.
 
-    `exact` is the definition less the gain, as a series. Raises `ExceededError` where the bound is
-    more than the limit.
+    `exact` is the definition less the gain, as a series. Raises `ExceededError` if the bound
+    exceeds the limit.
     """
     with working(ORDER):
         if model.reduction is None or repetition is None:
@@ -106,7 +106,7 @@ def enclose(model: Model, exact: Exact, repetition: Repetition | None, limit: fl
             raise ExceededError(float(after.upper()))
         worst = _enclose_part(model, exact, (-reach, reach), rest, off)
         if model.reduction.rate:
-            # The sum rounds what the polynomials add to it, too.
+            # The sum also rounds what the polynomials add to it.
             after += UNIT * worst.size
         return _finish(worst, after + worst.slope * off, limit)
 
@@ -121,7 +121,7 @@ def _finish(worst: _Worst, outside: Ball, limit: float) -> Bound:
 def bound_outside(
     reduction: PeriodReduction, repetition: Repetition, farthest: float, slope: float
 ) -> float:
-    """Bound what the reduction and the sum after the polynomials make; it grows with the range."""
+    """Bound the errors of the reduction and the final sum; they grow with the range."""
     with working(1):
         _, off = _bound_reduction(reduction, repetition, arb(farthest))
         after = _bound_sum(reduction, repetition, arb(farthest))
@@ -131,16 +131,16 @@ def bound_outside(
 def _bound_reduction(
     reduction: PeriodReduction, repetition: Repetition, point: Ball
 ) -> tuple[float, Ball]:
-    """Bound what the reduction leaves, and how far that is off."""
+    """Bound the remainder of the reduction and its error."""
     turns = point * reduction.per_period
-    # What is rounded to a whole number is off by its factor and, without fma, by a rounding.
+    # The rounded count is off by its factor's error and, without fma, by a rounding.
     share = arb(0.5) + abs(point / repetition.period - turns) + UNIT * turns + LEAST
     count = turns + 2 * share
     rest = share * repetition.period
     left, off = repetition.period, arb(0)
     for word in reduction.words:
         left -= arb(word)
-        # A product with so short a word that it is a double is exact.
+        # A product with a word short enough for the result to be a double is exact.
         product = arb(0) if _is_short(word, count) else abs(arb(word)) * count * UNIT
         result = rest + abs(left) * count + off + product
         off += product + UNIT * result + LEAST
@@ -150,14 +150,14 @@ def _bound_reduction(
 
 
 def _is_short(word: float, count: Ball) -> bool:
-    """Say whether whole numbers up to `count` times a word are doubles."""
+    """Return whether whole multiples, up to `count`, of a word are doubles."""
     above, _ = word.as_integer_ratio()
     odd = above // (above & -above)
     return bool(count * odd < arb(2) ** 53)
 
 
 def _bound_sum(reduction: PeriodReduction, repetition: Repetition, point: Ball) -> Ball:
-    """Bound the error of rate*point + value, but for what the value adds to the last rounding."""
+    """Bound the error of rate*point + value, except what the value adds to the last rounding."""
     product = abs(arb(reduction.rate)) * point
     return (
         abs(arb(reduction.rate) - repetition.rate) * point + 2 * UNIT * product * (1 + UNIT)
@@ -167,7 +167,7 @@ def _bound_sum(reduction: PeriodReduction, repetition: Repetition, point: Ball) 
 def _enclose_part(
     model: Model, exact: Exact, ends: tuple[float, float], limit: Ball, off: Ball
 ) -> _Worst:
-    """Bound the error of the polynomials between the ends, at a point that is off by so much."""
+    """Bound the error of the polynomials between the ends, at a point with the error `off`."""
     program = model.part()
     terms = max(len(p.coefficients) for p in model.pieces.pieces)
     cells = sorted(_list_cells(model, ends, SWINGS * terms), key=lambda cell: -abs(sum(cell)))
@@ -188,7 +188,7 @@ def _enclose_part(
         if too_much > rest:
             raise ExceededError(float(too_much))
         worst.met = worst.met.max(found.met)
-        # At the middle, and as far off as there by roundings, whatever is cut.
+        # At the middle, with the rounding errors there, whatever is cut.
         least = found.met + 2 * found.off
         enough = rest if is_last else (WIDE * worst.met.max(least)).max(SMALL * limit).min(rest)
         if found.bound <= enough:
@@ -220,7 +220,7 @@ def seek_break(exact: Exact, low: float, high: float) -> None:
 
 
 def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
-    """Return the largest size of some values."""
+    """Return the largest absolute value of some samples."""
     points = (ends[0] + (ends[1] - ends[0]) * i / SAMPLES for i in range(1, SAMPLES))
     sizes = (abs(list_terms(exact(arb_series([arb(point)])))[0]) for point in points)
     return max(sizes, key=lambda size: float(size.mid()))
@@ -229,7 +229,7 @@ def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
 def _list_cells(
     model: Model, ends: tuple[float, float], count: int
 ) -> Iterable[tuple[float, float]]:
-    """List cells, edges where pieces are chosen."""
+    """List cells, with edges where pieces are selected."""
     edges = {*ends, 0.0, *model.pieces.edges, *(-e for e in model.pieces.edges)}
     for low, high in pairwise(sorted(e for e in edges if ends[0] <= e <= ends[1])):
         step = (high - low) / count
@@ -238,7 +238,7 @@ def _list_cells(
 
 
 def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _Worst | None:
-    """Bound the error on a cell; None where a comparison or the definition is not decided."""
+    """Bound the error on a cell; None if a comparison or the definition is undecided."""
     try:
         found = track(program, low, high)
     except UndecidedError:
@@ -249,12 +249,12 @@ def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _W
     terms = bound_terms(near, far)
     whole = list_terms(far)
     slope = abs(list_terms(true.whole)[1]) / ((arb(high) - low) / 2)
-    # Of the whole cell every term counts: what is undefined may leave the last one zero.
+    # Every term over the whole cell counts: an undefined function may leave the last one zero.
     if is_finite([*terms, *whole]):
         bound = sum(terms, arb(0)).upper()
         met = terms[0].lower() - found.off
     else:
-        # A corner within the cell: the values alone.
+        # A corner lies within the cell: use the values alone.
         bound, met = abs(whole[0]).upper(), arb(0)
         slope = arb("inf")
     if not bound.is_finite():

@@ -22,7 +22,7 @@ from mechproof.programs.program import Program
 from mechproof.programs.trace import Value, choose, copysign, fma, trace
 from mechproof.roundoff.running import run
 
-# A double so large that a sum with it is a whole number: cheaper than rounding to one.
+# A double so large that adding to it rounds to a whole number, more cheaply than a rounding.
 WHOLE = 1.5 * 2.0**52
 UNIT = arb(2) ** -53
 # What a product loses that is too small for a double.
@@ -31,7 +31,7 @@ LEAST = arb(2) ** -1074
 
 @dataclass(frozen=True)
 class Piece:
-    """A polynomial about a centre, lowest power first, or of odd powers alone."""
+    """A polynomial about a centre, lowest power first, or in odd powers only."""
 
     centre: float
     coefficients: tuple[float, ...]
@@ -39,9 +39,9 @@ class Piece:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Polynomials, one after the other; `edges` are between them.
+    """Consecutive polynomials, separated by `edges`.
 
-    `odd`: of odd powers, the second about where |r| ends. `mirrored`: they are right of 0, and the
+    `odd`: in odd powers, the second about the end of |r|. `mirrored`: they lie right of 0, and the
     function is odd.
     """
 
@@ -62,7 +62,7 @@ class Pieces:
         return 2 * index + 1 if self.odd else index
 
     def write(self, r: Value) -> Value:
-        """Return the value at what the reduction leaves."""
+        """Return the value at the remainder of the reduction."""
         if self.odd:
             return self._write_odd(r)
         w = abs(r) if self.mirrored else r
@@ -76,7 +76,7 @@ class Pieces:
         *_, last = self.pieces
         beyond, s = [abs(r) >= edge for edge in self.edges], r
         if beyond:
-            # Half a period on or back the function is the same: which of both, the sign says.
+            # The function repeats half a period either way; the sign tells which way.
             s = r - choose(beyond[0], copysign(last.centre, r), 0.0)
         return s * _put(s * s, beyond, [p.coefficients for p in self.pieces])
 
@@ -101,7 +101,7 @@ def _put(z: Value, beyond: Sequence[Value], rows: Sequence[Sequence[float]]) -> 
 
 @dataclass(frozen=True)
 class PeriodReduction:
-    """Whole periods taken off: `words` add up to the period, `rate` is the gain over it."""
+    """Subtracts whole periods: `words` add up to the period, `rate` is the gain over it."""
 
     words: tuple[float, ...]
     per_period: float
@@ -118,7 +118,7 @@ class PeriodReduction:
 
 @dataclass(frozen=True)
 class Model:
-    """What a tailored kernel computes from `low` to `high`; beyond it gives NaN."""
+    """What a tailored kernel computes from `low` to `high`; outside it returns NaN."""
 
     name: str
     low: float
@@ -131,11 +131,11 @@ class Model:
         return trace(self._write, (self.name,))
 
     def part(self) -> Program:
-        """Return the program of what is left of the point after the reduction."""
+        """Return the program for the remainder of the point after the reduction."""
         return trace(self.pieces.write, ("r",))
 
     def inside(self) -> Program:
-        """Return the program that says whether a point is in the range."""
+        """Return the program that decides whether a point is in the range."""
         return trace(self._write_inside, (self.name,))
 
     def _write(self, point: Value) -> Value:

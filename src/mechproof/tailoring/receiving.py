@@ -1,6 +1,6 @@
-"""Receiving: what is needed to tailor, and to read a kernel that was pickled elsewhere.
+"""Receiving: the modules needed to tailor a kernel, and to read one pickled elsewhere.
 
-Nothing of the extra is loaded before it is known to be there.
+Nothing of the extra is loaded before it is known to be installed.
 """
 
 from __future__ import annotations
@@ -12,23 +12,23 @@ from typing import Any
 from mechproof.executors import BALLS
 from mechproof.tools.extras import require_modules
 
-# What tailoring needs of the extra, as it is imported.
+# What tailoring needs of the extra, by import name.
 NEEDED = ("flint", "jinja2", "mpmath", "sympy")
 # Backends that are modules of the extra fast.
 FAST = ("numba",)
 
 
 def receive(backend: str, written: bytes) -> Any:
-    """Make a pickled kernel again; ImportError naming the extra that its backend needs.
+    """Rebuild a pickled kernel; an ImportError names the extra that its backend needs.
 
-    What is written holds the function that makes it, which loads the extra, and what that takes.
+    `written` holds the function that makes the kernel, which loads the extra, and its arguments.
     """
     require_modules("a tailored kernel", "derive", NEEDED)
     require_modules(f"a kernel tailored for {backend}", "fast", [m for m in FAST if m == backend])
     return _make(written)
 
 
-# A process that is sent one kernel with each of its tasks prints and reads it once.
+# A process sent one kernel with each of its tasks prints and reads it only once.
 @lru_cache
 def _make(written: bytes) -> Any:
     make, *arguments = pickle.loads(written)

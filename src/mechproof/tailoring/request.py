@@ -1,4 +1,4 @@
-"""Requests: in, a name and numbers; out, a quantity of one variable, its range, all checked."""
+"""Requests: in, a name and numbers; out, a quantity of one variable and its range, all checked."""
 
 from __future__ import annotations
 
@@ -32,18 +32,19 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
 
-# Of a period.
+# Working precision of a period.
 BITS = 512
-# Points of the range at which edges are looked for.
+# Number of points in the range at which edges are sought.
 POINTS = 512
 CLOSER = 60
 
 
 @dataclass(frozen=True)
 class Request:
-    """A quantity at fixed parameters, the range of its variable (None: as far as can be).
+    """A quantity at fixed parameters, and the range of its variable (None: as long as possible).
 
-    `module` has the shipped kernels; `folder` the derivation, if it is none of the package.
+    `module` has the shipped kernels; `folder` is that of the derivation, unless it is the
+    package's.
     """
 
     paper: Paper
@@ -55,7 +56,7 @@ class Request:
     folder: Path | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Send what was asked for: the functions of a paper cannot be sent."""
+        """Pickle the request itself: the functions of a paper cannot be sent."""
         ends = {} if self.ends is None else {self.variable: self.ends}
         return read_request, (self.name, self.error, {**self.values, **ends}, self.folder)
 
@@ -72,7 +73,7 @@ class Request:
     def define(self, expression: sp.Basic) -> TaylorExpression:
         """Return an expression as a function of the running variable.
 
-        Raises ValueError where it has a function that has no series.
+        Raises ValueError if it contains a function without a series.
         """
         first, *others = self.quantity.arguments
         numbers = {a.symbols[0]: self.values[a.name] for a in others}
@@ -80,16 +81,16 @@ class Request:
         try:
             return TaylorExpression(plain, first.symbols[0], self.paper.given, numbers)
         except NotImplementedError as missing:
-            refuse("name", self.name, f"{missing}: call its kernel, which is not tailored")
+            refuse("name", self.name, f"{missing}: cannot be tailored; call its kernel")
 
     def kernel(self, points: Array) -> Array:
-        """Return values of the shipped kernel, NaN where it has none."""
+        """Return values of the shipped kernel, NaN where it is undefined."""
         with np.errstate(all="ignore"):
             found: Array = getattr(self.module, self.quantity.name)(points, **self.values)
         return found
 
     def repetition(self) -> Repetition | None:
-        """Return the period and the gain over it; None for a quantity that has none."""
+        """Return the period and the gain over it; None for a quantity without one."""
         repeats = self.quantity.periodicity
         if repeats is None:
             return None
@@ -101,13 +102,13 @@ class Request:
         return self.define(sp.sympify(expression)).value()
 
     def corners(self, low: float, high: float) -> tuple[float, ...]:
-        """Find where singular sets of the derivation lie between the ends."""
+        """Find the singular points of the derivation between the ends."""
         found: set[float] = set()
         for singular in self.quantity.singular:
             try:
                 definition = self.define(singular.equation.lhs - singular.equation.rhs)
             except KeyError:
-                # A set for each whole number: what repeats is reduced to one period.
+                # One set for each whole number: a periodic quantity is reduced to one period.
                 continue
             if definition.is_moving:
                 found.update(_find_zeros(definition, low, high))
@@ -115,7 +116,7 @@ class Request:
 
 
 def _find_zeros(definition: TaylorExpression, low: float, high: float) -> list[float]:
-    """Find where a function changes its sign."""
+    """Find where a function changes sign."""
     points = np.linspace(low, high, POINTS + 1).tolist()
     signs = [_sign(definition, point) for point in points]
     return [
@@ -143,14 +144,14 @@ def _close_in(definition: TaylorExpression, low: float, high: float, sign: int) 
 def read_request(
     name: Any, error: Any, arguments: Mapping[str, Any], derivations: Any = None
 ) -> Request:
-    """Check what is asked for.
+    """Check a request.
 
     Raises TypeError or ValueError "name = value: what is allowed".
     """
     folder = None if derivations is None else check_folder(derivations)
     paper, quantity = _find_quantity(name, folder)
     error = check_real("error", error)
-    require(error > 0, "error", error, "must be more than 0")
+    require(error > 0, "error", error, "must be positive")
     names = [a.name for a in quantity.arguments]
     for given, value in arguments.items():
         require(given in names, given, value, f"{name} has no such argument: {', '.join(names)}")
@@ -169,20 +170,20 @@ def read_request(
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
     if quantity.periodicity is not None:
         _check_periodicity(name, paper, quantity, quantity.periodicity)
-    # One kernel is everybody's that unpickles it.
+    # All who unpickle a kernel share it.
     return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)
 
 
 def _check_periodicity(name: str, paper: Paper, quantity: Quantity, repeats: Periodicity) -> None:
-    """Refuse a quantity that is not proved to come again as its derivation says."""
+    """Refuse a quantity that is not proved to repeat as its derivation says."""
     answer = prove_periodicity(paper, quantity, repeats)
     if answer.verdict is not Verdict.PROVED:
-        reason = f"that it comes again after {repeats.period} is {answer.verdict}: {answer.reason}"
+        reason = f"its period {repeats.period} is {answer.verdict}: {answer.reason}"
         refuse("name", name, reason)
 
 
 def prove_periodicity(paper: Paper, quantity: Quantity, repeats: Periodicity) -> Answer:
-    """Decide whether a period on the value is more by the gain, wherever the quantity is meant."""
+    """Decide whether the value rises by the gain over each period, wherever it is meant."""
     (running,) = quantity.arguments[0].symbols
     here = sp.sympify(resolve(quantity.definition, paper.given))
     there = here.subs(running, running + repeats.period)
@@ -206,8 +207,8 @@ def _read_range(name: str, value: Any) -> tuple[float, float]:
 
 
 def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
-    """Find a quantity by system.quantity, of the package or of a folder of derivations."""
-    require(isinstance(name, str), "name", name, "must be a text, system.quantity", TypeError)
+    """Find a quantity by system.quantity, in the package or in a folder of derivations."""
+    require(isinstance(name, str), "name", name, "must be a string, system.quantity", TypeError)
     system, _, wanted = name.partition(".")
     systems = find_systems(folder or packaged_directory())
     if system not in systems:
@@ -219,5 +220,5 @@ def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
         allowed = ", ".join(possible) or "none can be tailored"
         refuse("name", name, f"the quantity of {system} must be one of {allowed}")
     if resolve(possible[wanted].definition, paper.given).has(Root):
-        refuse("name", name, "a root of an equation is not tailored: call its kernel")
+        refuse("name", name, "a root of an equation cannot be tailored; call its kernel")
     return paper, possible[wanted]

@@ -1,4 +1,4 @@
-"""Kernels: in, a model; out, a function printed by a backend, loaded, and what is known of it."""
+"""Kernels: in, a model; out, a function printed by a backend and loaded, with its properties."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from mechproof.tools.cache import cache_folder
 from mechproof.tools.files import import_file, write_whole
 
 NUMBA, NUMPY = "numba", "NumPy"
-# Characters of a name that every compiler of C99 tells apart.
+# Length to which every C99 compiler distinguishes names.
 LONGEST = 63
 
 
@@ -42,13 +42,13 @@ LONGEST = 63
 class Tailored:
     """A quantity as a function of its running variable, at fixed parameters.
 
-    It takes a number or an array, and `out`, as all kernels do; beyond `low` and `high`, and where
-    the argument is NaN, the result is NaN. `bound` is proved: at no double of the range is the
-    result off by more, in the unit of the quantity, roundings included. `asked` is the error that
-    was asked for. `degrees` are those of the polynomials between `edges`, in what whole periods
-    leave of the variable, or in the size of that. `function` is what is called, with numba to be
-    called in compiled functions, too. Pickled, it is printed and loaded again where it arrives,
-    from the same numbers for the same backend.
+    It takes a number or an array, and `out`, as all kernels do. The result is NaN outside `low` to
+    `high` and where the argument is NaN. `bound` is proved: no result at a double in the range is
+    off by more, in the unit of the quantity, rounding included. `asked` is the error asked for.
+    `degrees` are those of the polynomials between `edges`, in the variable less whole periods, or
+    in its absolute value. `function` is the function called; with numba, compiled functions can
+    call it, too. A pickled kernel is printed and loaded again where it is unpickled, from the same
+    numbers for the same backend.
     """
 
     name: str
@@ -68,11 +68,11 @@ class Tailored:
     _built: Built = field(compare=False)
 
     def __call__(self, points: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
-        """Return the values at points, in `out` if there is one."""
+        """Return the values at `points`, in `out` if given."""
         return self.function(points, out=out)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Received by a function that names what is missing before this module is imported.
+        # `receive` names a missing extra before this module is imported.
         made_by = make_kernel, self._request, self._built, self.backend
         return receive, (self.backend, pickle.dumps(made_by))
 
@@ -85,22 +85,22 @@ class Tailored:
         )
 
     def write_c(self, folder: str | Path, *, name: str | None = None) -> tuple[Path, ...]:
-        """Write a header and a source in C99 into a folder, and return their paths.
+        """Write a header and a source file in C99 into a folder, and return their paths.
 
-        The files and, before the quantity, the functions are called `name`, by default
-        <system>_tailored. TypeError if it is no text, ValueError if it is no name in C.
-        FileExistsError if a file of the name is there and holds something else.
+        `name`, by default <system>_tailored, names the files and precedes the quantity in function
+        names. Raises TypeError if it is not a string, ValueError if not a C identifier, and
+        FileExistsError if a file of that name exists with other content.
         """
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
-        require(isinstance(called, str), "name", name, "must be a text", TypeError)
+        require(isinstance(called, str), "name", name, "must be a string", TypeError)
         is_name = called.isidentifier() and called.isascii() and called not in WORDS
-        require(is_name and called[0] != "_", "name", name, "must be a name in C")
+        require(is_name and called[0] != "_", "name", name, "must be a valid C identifier")
         require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
         files = _render_c(self._request, self._built.model, called, _tell_bound(self))
         texts = {Path(folder) / file: text for file, text in files.items()}
         for file, text in texts.items():
             if file.exists() and file.read_bytes() != text.encode():
-                raise FileExistsError(f"{file} is there and holds something else")
+                raise FileExistsError(f"{file} exists with other content")
         for file, text in texts.items():
             write_whole(file, text)
         return tuple(texts)
@@ -115,7 +115,7 @@ def _tell_bound(kernel: Tailored) -> str:
 
 
 def make_kernel(request: Request, built: Built, backend: str | None = None) -> Tailored:
-    """Print, read back and load the kernel of a model, by numba where it is installed."""
+    """Print, read back and load the kernel of a model, with numba if it is installed."""
     model = built.model
     chosen = backend or (NUMBA if find_spec("numba") else NUMPY)
     function = _load(request, model, chosen, built.bound.error)
@@ -139,7 +139,7 @@ def make_kernel(request: Request, built: Built, backend: str | None = None) -> T
 
 
 def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
-    """Return a model as the kernel of a quantity without parameters, its range as the domain."""
+    """Return a model as the kernel of a quantity without parameters; its range is the domain."""
     quantity = request.quantity
     program = model.program() if fused else unfuse(model.program())
     first = quantity.arguments[0]
@@ -172,7 +172,7 @@ def _describe(request: Request, bound: float) -> tuple[str, ...]:
 
 
 def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
-    """Return the function of a module that is printed into the folder for caches."""
+    """Return the function of a module that is printed into the cache folder."""
     docstring = _describe(request, bound)
     if backend == NUMBA:
         kernel = _wrap(request, model, fused=True)
@@ -186,14 +186,14 @@ def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
 
 
 def _import(source: str) -> ModuleType:
-    """Import a source from a file, which numba keeps compiled code beside."""
+    """Import source code from a file, beside which numba keeps compiled code."""
     name = f"mechproof_tailored_{sha256(source.encode()).hexdigest()[:16]}"
     known = sys.modules.get(name)
     return import_file(name, _keep(name, source)) if known is None else known
 
 
 def _keep(name: str, source: str) -> Path:
-    """Write a source where it is found again; where that cannot be, into a new folder."""
+    """Write source code to the cache folder or, if that fails, to a new folder."""
     file = cache_folder() / "tailored" / f"{name}.py"
     try:
         if not file.is_file() or file.read_text(encoding="utf-8") != source:
