@@ -62,7 +62,7 @@ REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = 
     (array_checks.check_flag, 1, TypeError, "1: must be True or False, not int"),
     (array_checks.check_generator, None, TypeError, r"None: must be a numpy\.random\.Generator"),
     (array_checks.check_shape, (2, -1), ValueError, "-1: must be at least 0"),
-    (scalars.check_text, b"mm", TypeError, "b'mm': must be a text"),
+    (scalars.check_text, b"mm", TypeError, "b'mm': must be a string"),
     (scalars.check_function, 3, TypeError, "3: must be a function"),
     (array_checks.check_finite, [1, math.inf], ValueError, r"\[1, inf\]: must be finite"),
     (array_checks.check_finite, 10**400, ValueError, r"10+ \.\.\. 0+: must be finite"),

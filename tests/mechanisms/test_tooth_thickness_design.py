@@ -161,13 +161,19 @@ def test_the_coarsest_grade_has_the_risk_and_the_next_has_not() -> None:
 @pytest.mark.parametrize(
     ("inspection", "method", "given", "error", "message"),
     [
-        (GAUGE, "acceptance_limits", {}, TypeError, "nothing wanted: give one of consumer_risk"),
+        (
+            GAUGE,
+            "acceptance_limits",
+            {},
+            TypeError,
+            "nothing given: give exactly one of consumer_risk",
+        ),
         (
             GAUGE,
             "scale_gauge",
             {"consumer_risk": 0.1, "producer_risk": 0.1},
             TypeError,
-            "consumer_risk, producer_risk wanted: give one of",
+            "consumer_risk, producer_risk given: give exactly one of",
         ),
         (GAUGE, "scale_gauge", {"producer_risk": 1.5}, ValueError, "producer_risk = 1.5: must lie"),
         (

@@ -141,8 +141,13 @@ def test_the_normal_at_a_crest_is_radial_and_the_error_there_inwards() -> None:
 @pytest.mark.parametrize(
     ("method", "given", "error", "message"),
     [
-        ("largest_tilt", {}, TypeError, "nothing wanted: give one of planar_error, spatial_error"),
-        ("largest_tilt", {"planar_error": 1, "spatial_error": 1}, TypeError, "give one of"),
+        (
+            "largest_tilt",
+            {},
+            TypeError,
+            "nothing given: give exactly one of planar_error, spatial_error",
+        ),
+        ("largest_tilt", {"planar_error": 1, "spatial_error": 1}, TypeError, "give exactly one of"),
         ("largest_tilt", {"planar_error": "1"}, TypeError, "planar_error = '1': must be a real"),
         (
             "largest_tilt",

@@ -9,12 +9,12 @@ from numbers import Real
 from typing import Any, NoReturn
 
 PLAIN = frozenset({int, float})
-# Of what is shown of a value.
+# Longest text of a value that is shown whole.
 LONGEST = 200
 
 
 def refuse(name: str, value: object, allowed: str, error: type[Exception] = ValueError) -> NoReturn:
-    """Raise an error "name = value: allowed", on one line; of a long value only both ends."""
+    """Raise an error "name = value: allowed" on one line; of a long value, only the ends."""
     text = " ".join(repr(value).split())
     if len(text) > LONGEST:
         text = f"{text[: LONGEST // 2]} ... {text[-LONGEST // 2 :]}"
@@ -30,20 +30,20 @@ def require(
 
 
 def refuse_units(name: str, value: Any) -> None:
-    """Raise TypeError for what carries a unit, which would be lost; rows of numbers may, too."""
+    """Raise TypeError if a value, or an item in its rows, has a unit, which would be lost."""
     if _carries_unit(value):
         refuse(name, value, "carries a unit; give plain numbers in one unit", TypeError)
 
 
 def _carries_unit(value: Any) -> bool:
-    """Say whether a value has a unit, by what libraries of units call it, or an item of it has."""
+    """Return whether a value or an item of it has an attribute that libraries use for units."""
     if isinstance(value, list | tuple):
         return not PLAIN.issuperset(map(type, value)) and any(map(_carries_unit, value))
     return any(getattr(value, word, None) is not None for word in ("unit", "units"))
 
 
 def check_number(name: str, value: Any) -> float:
-    """Return a float, NaN and infinite too; TypeError for what is no real number, as a bool."""
+    """Return a float, possibly NaN or infinite; TypeError unless it is real (a bool is not)."""
     is_real = isinstance(value, Real) and not isinstance(value, bool)
     if not is_real:
         refuse_units(name, value)
@@ -55,7 +55,7 @@ def check_number(name: str, value: Any) -> float:
 
 
 def check_real(name: str, value: Any) -> float:
-    """Return a finite float, as `check_number`."""
+    """Return a finite float; otherwise as `check_number`."""
     number = check_number(name, value)
     require(math.isfinite(number), name, value, "must be finite")
     return number
@@ -70,14 +70,14 @@ def check_not_negative(name: str, value: Any) -> float:
 
 
 def check_probability(name: str, value: Any) -> float:
-    """Return a float between 0 and 1, neither of them."""
+    """Return a float strictly between 0 and 1."""
     number = check_number(name, value)
     require(0 < number < 1, name, value, "must lie between 0 and 1")
     return number
 
 
 def check_count(name: str, value: Any, least: int = 1) -> int:
-    """Return an integer from `least` on; TypeError unless `value` is one (a bool is none)."""
+    """Return an integer of at least `least`; TypeError if it is not one (a bool is not)."""
     refuse_units(name, value)
     try:
         count = None if isinstance(value, bool) else operator.index(value)
@@ -90,8 +90,8 @@ def check_count(name: str, value: Any, least: int = 1) -> int:
 
 
 def check_items(name: str, value: Any, count: int | None, allowed: str) -> tuple[Any, ...]:
-    """Return the items of a tuple or the like; TypeError unless there are `count`, None: any."""
-    # Sets have no order, and an array without axes no items.
+    """Return the items of a tuple or the like; TypeError unless there are `count` (None: any)."""
+    # Sets have no order, and arrays without axes have no items.
     ordered = isinstance(value, Iterable) and not isinstance(value, Set | Mapping)
     items = tuple(value) if ordered and getattr(value, "ndim", None) != 0 else None
     if items is None or count not in (None, len(items)):
@@ -108,27 +108,27 @@ def check_triple(name: str, value: Any) -> tuple[float, float, float]:
 
 
 def choose_one(wanted: Mapping[str, Any], otherwise: str = "") -> tuple[str, Any]:
-    """Return name and value of the one parameter that is given; TypeError for none or several.
+    """Return the name and value of the only parameter given; TypeError for none or several.
 
     `otherwise` says what may be given instead of one.
     """
     given = [name for name, value in wanted.items() if value is not None]
     if len(given) != 1:
-        allowed = f"give one of {', '.join(wanted)}{otherwise}"
-        raise TypeError(f"{', '.join(given) or 'nothing'} wanted: {allowed}")
+        allowed = f"give exactly one of {', '.join(wanted)}{otherwise}"
+        raise TypeError(f"{', '.join(given) or 'nothing'} given: {allowed}")
     return given[0], wanted[given[0]]
 
 
 def check_text(name: str, value: Any) -> str:
-    """Return a text; TypeError for anything else."""
-    require(isinstance(value, str), name, value, "must be a text", TypeError)
+    """Return a string; TypeError for anything else."""
+    require(isinstance(value, str), name, value, "must be a string", TypeError)
     return str(value)
 
 
 def check_texts(name: str, value: Any) -> tuple[str, ...]:
-    """Return the texts of a list or a tuple; TypeError for anything else."""
+    """Return the strings of a list or a tuple; TypeError for anything else."""
     are_texts = isinstance(value, list | tuple) and all(isinstance(one, str) for one in value)
-    require(are_texts, name, value, "must be a list of texts", TypeError)
+    require(are_texts, name, value, "must be a list of strings", TypeError)
     return tuple(value)
 
 
@@ -140,13 +140,13 @@ def check_mapping(name: str, value: Any, allowed: str) -> Mapping[Any, Any]:
 
 
 def check_function(name: str, value: Any) -> Callable[..., Any]:
-    """Return what can be called; TypeError for anything else."""
+    """Return a callable; TypeError for anything else."""
     if not callable(value):
         refuse(name, value, "must be a function", TypeError)
     return value  # type: ignore[no-any-return]
 
 
 def check_progress(progress: Any) -> None:
-    """Raise TypeError for what is neither None nor a function."""
+    """Raise TypeError unless `progress` is None or a function."""
     if progress is not None:
         check_function("progress", progress)
