@@ -12,9 +12,9 @@ from mechproof.laws.windows import Array
 DROP = 32.0  # nats; by log-concavity a part exp(-32) = 1.3e-14 of the integral is cut off
 BLOCK = 512  # corners at a time: nodes stay in the cache
 
-# Lengths of panels in log(1/u), from below the shortest whose integral does not underflow to
-# beyond the longest, `DROP`; what falls by `DROP` over a panel has fallen by two thirds of it over
-# the one before. Gauss nodes that integrate every decay that fills a panel up to a length to 1e-13.
+# Panel lengths in log(1/u), from below the shortest whose integral does not underflow to beyond the
+# longest, `DROP`; a decay by `DROP` over a panel is one by two thirds of it over the one before.
+# Counts of Gauss nodes that, up to a length, integrate every decay filling a panel to 1e-13.
 GROWTH, STEP = 1.25, 0.2
 SHORT = 0.02 * GROWTH ** np.arange(17)
 LENGTHS = np.concatenate([SHORT, np.arange(SHORT[-1] + STEP, DROP + STEP, STEP)])
@@ -26,7 +26,7 @@ PARTS, ORDER = 16, 40  # of the panels on which the weights of a Gauss rule are 
 
 @cache
 def make_panel(size: int) -> tuple[Array, Array, Array]:
-    """Of the panel LENGTHS[size] in log(u): exponents of p and q, (1, u**2), weights times u."""
+    """Return exponents of p and q, (1, u**2), weights times u on LENGTHS[size] in log(u)."""
     length = LENGTHS[size]
     count = next(count for longest, count in NODE_COUNTS if length <= longest)
     y, weights = _find_rule(length, count) if length <= LONG else _scale_rule(length, count)

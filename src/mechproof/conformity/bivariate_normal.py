@@ -41,7 +41,7 @@ from mechproof.laws.windows import (
 )
 
 UNDERFLOW = 745.0  # exp(-745) is the smallest double
-LOST = 2.0**-60  # what is this small beside another term does not change their sum
+LOST = 2.0**-60  # a term this small beside another does not change their sum
 
 
 class Quadrants(NamedTuple):
@@ -54,7 +54,7 @@ class Quadrants(NamedTuple):
 
 
 def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
-    """I(0, beta) and I(beta, pi): the smaller integrated where needed, the other by their sum."""
+    """I(0, beta) and I(beta, pi): the smaller integrated where needed, the other from the sum."""
     # NaN: s = 0, I(0, beta) is 0.
     falling = np.logical_not(2 * (corner.near - corner.far) + plane.cosine <= 0)
     square = plane.tangent * plane.tangent
@@ -76,17 +76,17 @@ def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
 def is_needed(corner: Corner, toward: Any, terms: Any) -> Any:
     """Mark where I(0, beta) of (lower, upper) or (upper, lower) is not lost in sums.
 
-    Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of what it
-    is added to: quadrants that hold I(0, beta) of both, or I(beta, pi) of one, of the corners
+    Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of the terms
+    it is added to: quadrants that hold I(0, beta) of both, or I(beta, pi) of one, of the corners
     (lower, lower) and (upper, upper), besides the mass between h and k and I(0, pi). `toward` is
-    positive where k and h lie as at this corner of windows that overlap.
+    positive where h and k lie as at this corner of overlapping windows.
     """
     lost = corner.decay / 2 <= LOST * np.minimum(np.minimum(corner.total, corner.along), terms)
     return np.logical_not(lost & (corner.near >= corner.far) & (toward > 0))
 
 
 def complete_corner(plane: Plane, corner: Corner, i: int, j: int) -> Corner:
-    """Integrate the masses between limits that are close."""
+    """Integrate the masses between close limits."""
     h, k = plane.h[i], plane.k[j]
     return Corner(
         corner.total,

@@ -2,10 +2,10 @@
 
 >>> from mechproof.conformity.compiled import shares
 
-takes what `mechproof.conformity.shares` takes, and has its accuracy, NaN and errors. numba compiles
-the formulas of that function, number by number; what is done otherwise stands here: exponentials
+takes the arguments of `mechproof.conformity.shares`, with its accuracy, NaN and errors. numba
+compiles the formulas of that function for single numbers. Only what differs is here: exponentials
 and tails of the normal law in plain arithmetic, and integrals as sums over a table of nodes. Many
-parameter sets are shared out among the processors.
+parameter sets are distributed over the processors.
 
 Needs numba; nothing else imports it.
 """
@@ -42,13 +42,13 @@ from mechproof.laws import Law, pointwise, windows
 from mechproof.laws.windows import Array
 
 PART = 4096  # parameter sets that one thread takes at a time
-THREADED = 4 * PART  # those for which a second thread pays
-ROW = 8  # nodes: what is done with as many at a time needs no loop of single ones at its end
+THREADED = 4 * PART  # the number from which a second thread pays
+ROW = 8  # nodes: in whole rows there are no single ones left over
 ROOT = float(np.sqrt(2 * np.pi))
 
 
 def _stack_panels() -> tuple[Array, Array]:
-    """Return the rows where panels begin; and their nodes, in whole rows, by what is taken."""
+    """Return the rows where panels begin, and the nodes of all panels in whole rows."""
     tables = []
     for size in range(LENGTHS.size):
         exponents, powers, weights = make_panel(size)
@@ -160,7 +160,7 @@ def _add(masses: Any, block: Any, start: int, stop: int) -> None:
 def _make_fill(version: int) -> Any:
     """Return the loop over parameter sets, which fills their masses.
 
-    numba keeps what it compiled as long as this file and what the loop encloses stay the same.
+    numba caches the compiled loop while this file and what the loop encloses stay the same.
     """
 
     @loop
@@ -181,13 +181,13 @@ def _hash_sources(*modules: ModuleType) -> int:
     return int(sha256(texts).hexdigest()[:15], 16)
 
 
-# Where the formulas stand that the loop takes.
+# Modules with the formulas that the loop uses.
 SOURCES = (bivariate_normal, plane, arc, windows, pointwise, elementary, machine, points)
 _fill = _make_fill(_hash_sources(*SOURCES))
 
 
 def _fill_masses(masses: Array, parameters: Sequence[Array]) -> None:
-    """Fill the masses of two normal laws, of many sets on several threads."""
+    """Fill the masses of two normal laws, for many sets on several threads."""
     count = masses.shape[1]
 
     def fill(part: slice) -> None:
@@ -204,7 +204,6 @@ def _fill_masses(masses: Array, parameters: Sequence[Array]) -> None:
 def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
     """Exact shares of rightly and wrongly accepted and rejected parts, compiled.
 
-    Its full documentation is that of `mechproof.conformity.shares`. Laws that are not both normal
-    take the quadrature that they take there.
+    See `mechproof.conformity.shares`. Laws that are not both normal use its quadrature.
     """
     return find_shares(true, error, tolerance, acceptance, _fill_masses)

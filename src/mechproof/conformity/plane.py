@@ -34,7 +34,7 @@ class Plane(NamedTuple):
 
 
 class Corner(NamedTuple):
-    """What the quadrants of a corner (h, k) are made of, and its arc at x = beta.
+    """The components of the quadrants of a corner (h, k), and its arc at x = beta.
 
     `near` belongs to h - k, `far` to h + k: the terms of the exponent at u = 1 of the arc that
     are multiplied by u**-2 and u**2, or the other way round.
@@ -42,7 +42,7 @@ class Corner(NamedTuple):
 
     total: Any  # I(0, pi)
     along: Any  # the mass between h and k, negative where it must be integrated
-    across: Any  # the mass between h and -k, as well
+    across: Any  # the mass between h and -k, likewise
     near: Any
     far: Any
     exponent: Any
@@ -96,7 +96,7 @@ def place_plane(mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, accepta
 
 
 def place_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> Corner:
-    """Find what the quadrants at the limits i of Y and j of M are made of."""
+    """Find the components of the quadrants at limit i of Y and limit j of M."""
     (below_h, above_h), (below_k, above_k) = h_tails, k_tails
     near, far = (plane.gap[i][j] / plane.tangent) ** 2 / 8, (plane.h[i] + plane.k[j]) ** 2 / 8
     square = plane.tangent * plane.tangent
@@ -113,7 +113,7 @@ def place_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> 
 
 
 def subtract_ordered(below: Pair, above: Pair) -> Any:
-    """Mass between two places in either order, from their tails."""
+    """Mass between two points in either order, from their tails."""
     return subtract_tails(
         (np.minimum(below[0], below[1]), np.maximum(below[0], below[1])),
         (np.maximum(above[0], above[1]), np.minimum(above[0], above[1])),

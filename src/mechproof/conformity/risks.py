@@ -1,7 +1,7 @@
 """Exact shares of parts, risks of one measured value, and shares counted in a simulation.
 
-These are the risks of JCGM 106:2012, where they are integrals of two densities: for any two
-laws by Gauss quadrature of positive integrands over panels.
+These are the risks of JCGM 106:2012, where they are integrals of two densities. For arbitrary laws,
+positive integrands are integrated by Gauss quadrature over panels.
 """
 
 from __future__ import annotations
@@ -59,18 +59,18 @@ class SimulatedShares(Shares):
 def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
     """Exact shares of rightly and wrongly accepted and rejected parts.
 
-    `true` is the law of the true deviation, `error` that of the measurement error (its mean is
-    the bias); `tolerance` and `acceptance` are (lower, upper), in the same unit, infinite for a
-    one-sided limit; without `acceptance` the tolerance limits are used (simple acceptance). All
+    `true` is the law of the true deviation and `error` that of the measurement error, whose mean is
+    the bias. `tolerance` and `acceptance` are pairs (lower, upper) in the same unit, infinite for a
+    one-sided limit. Without `acceptance`, the tolerance limits are used (simple acceptance). All
     parameters broadcast. Where one is NaN, so are the shares.
 
-    Accuracy: for two normal laws every share that is above 1e-100 is right to a relative 1e-12,
-    however small it is beside the others; for other laws to 1e-12 as long as the widths of both
-    laws and windows and the distances between them lie within a factor of 1000, wherever all of
-    them lie. A law of width 0 is a fixed value.
+    Accuracy: for two normal laws, every share above 1e-100 is right to a relative 1e-12, however
+    small it is beside the others; for other laws, to 1e-12 if the widths of both laws and windows
+    and the distances between them lie within a factor of 1000, wherever they all lie. A law of
+    width 0 is a fixed value.
 
-    Raises ValueError for a lower limit that is not below the upper one and finite numbers beyond
-    1e150, TypeError for what is no law, no pair, no real number, or has a mask or a unit.
+    Raises ValueError for a lower limit that is not below the upper one and for finite numbers
+    beyond 1e150, and TypeError for anything but laws, pairs and real numbers without mask or unit.
 
     Source: paper on tooth thickness, algorithm steps 1-10; JCGM 106:2012, 9.5.
     """
@@ -131,7 +131,7 @@ def conformance_probability(
         gain = np.where(rho == 0, 0.0, np.asarray(true.std) / rho)
         spread = np.where(rho == 0, 0.0, np.asarray(error.std) / rho)
     surprise = subtract_twice(check_finite("measured", measured), true.mean, error.mean)
-    # Counted from the mean of Y: a place far from 0 would not keep the digits of a shift.
+    # Relative to the mean of Y, since far from 0 a shift would lose digits.
     given = Normal.of_checked(mean=gain**2 * surprise, std=np.asarray(true.std) * spread)
     window = low - true.mean, high - true.mean
     return given.probability(*window), given.outside(*window)
@@ -151,13 +151,12 @@ def simulate_shares(
 ) -> SimulatedShares:
     """Shares among `count` simulated parts of every parameter set.
 
-    Arguments as in `shares`; several error laws are independent errors that add up. Some `chunk`
-    values are held at a time by each worker (at least one per parameter set), whatever the count;
-    each chunk is drawn by a generator spawned from `rng`. `progress` is called as
-    progress(parts done, count) after every chunk. With any `executor` of `concurrent.futures` the
-    counts are the same. Raises ValueError for a count or chunk below 1 and for reversed limits,
-    `mechproof.tools.processes.WorkerError` if the executor loses a worker and does not make up for
-    it.
+    Arguments are as in `shares`; several error laws are independent errors that add up. Each worker
+    holds about `chunk` values at a time (at least one per parameter set), whatever the count, and
+    draws each chunk from a generator spawned from `rng`. `progress` is called as progress(parts
+    done, count) after every chunk. The counts are the same with any `executor` of
+    `concurrent.futures`. Raises ValueError for a count or chunk below 1 and for reversed limits,
+    and `mechproof.tools.processes.WorkerError` if the executor loses a worker and does not recover.
 
     Source: paper on tooth thickness, algorithm steps 1-10.
     """
@@ -192,7 +191,7 @@ def _count(
     limits: Sequence[Array],
     task: tuple[tuple[int, ...], np.random.Generator],
 ) -> list[Any]:
-    """Simulate parts, as many as the size's first, and count all outcomes but the last."""
+    """Simulate parts, in the number of the size's first axis; count all outcomes but the last."""
     (size, rng), (true, *errors) = task, laws
     low, high, low_accepted, high_accepted = limits
     value = true.sample(rng, size)
@@ -235,9 +234,9 @@ def law_masses(
 ) -> tuple[Array, Array, Array, Array]:
     """Rightly and wrongly accepted, rightly and wrongly rejected masses.
 
-    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,). Places
-    are counted from the centres of the laws, exactly where they are far from 0 and so do not keep
-    the digits of what is small beside them.
+    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,). Positions
+    are relative to the centres of the laws, by exact subtraction: far from 0 they would not keep
+    the digits of small differences.
     """
     count = tolerance.shape[1]
     middle, bias = find_centre(true), find_centre(error)

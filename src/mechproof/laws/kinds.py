@@ -1,4 +1,4 @@
-"""The kinds of laws: normal, normal between limits, rectangular; and what is done with any."""
+"""Kinds of laws (normal, truncated normal, rectangular) and operations on any of them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Values = float | Array
 
 
 class ByValue:
-    """Laws are equal if they are of one kind and their parameters are, in shape and value."""
+    """Laws are equal if they are of the same kind, with parameters of equal shape and value."""
 
     def _keep(self, **parameters: ArrayLike) -> None:
         for name, value in parameters.items():
@@ -34,13 +34,13 @@ class ByValue:
 
     @classmethod
     def of_checked(cls, **parameters: ArrayLike) -> Self:
-        """Return a law of parameters that were checked: what is derived may lie beyond limits."""
+        """Return a law of checked parameters; derived values may lie beyond the limits."""
         law = object.__new__(cls)
         law._keep(**parameters)
         return law
 
     def _check_draw(self, rng: Any, size: Any) -> None:
-        """Raise an error for what is no generator, and a size in which values would recur."""
+        """Raise an error unless `rng` is a generator and no value would recur in `size`."""
         check_generator("rng", rng)
         if size is not None:
             shape = check_shape("size", size)
@@ -57,13 +57,13 @@ class ByValue:
         return all(np.array_equal(a, b, equal_nan=True) for a, b in pairs)
 
     def __hash__(self) -> int:
-        # Zero has one sign then, and NaN one pattern.
+        # Give zero one sign and NaN one bit pattern.
         plain = [np.where(np.isnan(p), np.nan, p + 0.0) for p in vars(self).values()]
         return hash((type(self), *((p.shape, p.tobytes()) for p in plain)))
 
 
 class BoundedLaw(ByValue, ABC):
-    """A law between limits, of which the mass of a window says everything."""
+    """A law between limits, fully described by the mass of any window."""
 
     @abstractmethod
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
@@ -77,7 +77,7 @@ class BoundedLaw(ByValue, ABC):
         """Probability of a value at or beyond either limit; 1 where they are reversed."""
         low, high = check_limits(lower, upper)
         beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
-        # Of reversed limits, every value is beyond one or both.
+        # Every value lies beyond one or both of reversed limits.
         return np.minimum(beyond, 1.0)
 
 
@@ -93,10 +93,10 @@ NORMAL_KNOTS: Array = np.concatenate([-_Z[:0:-1], _Z])
 
 @dataclass(frozen=True, eq=False)
 class Normal(ByValue):
-    """Normal law; `std` 0 is a fixed value. Unit of `mean` and `std`: that of the quantity.
+    """Normal law; with `std` 0, a fixed value. `mean` and `std` have the unit of the quantity.
 
     Raises ValueError for a negative or infinite `std`, an infinite `mean` and numbers beyond 1e150,
-    TypeError for what is no real number.
+    TypeError for anything but real numbers.
     """
 
     mean: Values
@@ -107,7 +107,7 @@ class Normal(ByValue):
 
     @classmethod
     def from_width(cls, mean: ArrayLike, width: ArrayLike, multiple: ArrayLike) -> Self:
-        """Law whose interval of full `width` is `multiple` standard deviations wide.
+        """Law for which the full `width` of an interval is `multiple` standard deviations.
 
         A tolerance field T with K = T/sigma = 6 (paper on tooth thickness, step 1) is
         `from_width(mean, T, 6)`; an expanded uncertainty U = k u (GUM) is
@@ -148,7 +148,7 @@ class Normal(ByValue):
         low, high = check_limits(lower, upper)
         below = standardise(low - self.mean, self.std, np.inf)
         above = standardise(high - self.mean, self.std, -np.inf)
-        # Of reversed limits, every value is beyond one or both.
+        # Every value lies beyond one or both of reversed limits.
         return np.minimum(ndtr(below) + ndtr(-above), 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
@@ -181,7 +181,7 @@ class Uniform(BoundedLaw):
         return cls(centre - half, centre + half)
 
     def pdf(self, x: ArrayLike) -> Any:
-        """Probability density; at the limits that of the inside."""
+        """Probability density; at the limits, that of the interior."""
         low, high = np.asarray(self.lower), np.asarray(self.upper)
         position = check_array("x", x)
         inside = (position >= low) & (position <= high)
@@ -206,7 +206,7 @@ class Uniform(BoundedLaw):
         return np.stack(np.broadcast_arrays(self.lower, self.upper), axis=-1)
 
 
-# Where the density changes by less than this part between the limits, the law is rectangular.
+# If the density changes by less than this share between the limits, the law is rectangular.
 FLAT = 1e-9
 
 
@@ -243,7 +243,7 @@ class TruncatedNormal(BoundedLaw):
         return mass
 
     def pdf(self, x: ArrayLike) -> Any:
-        """Probability density; at the limits that of the inside."""
+        """Probability density; at the limits, that of the interior."""
         position = check_array("x", x)
         outside = (position < self.lower) | (position > self.upper)
         return np.where(outside, 0.0, self._parent.pdf(position) / self._mass)[()]
@@ -270,9 +270,9 @@ class TruncatedNormal(BoundedLaw):
 
 
 def _invert(quantile: Array, low: Array, high: Array) -> Array:
-    """Return the standard normal value between the limits that a part `quantile` is below.
+    """Return the quantile of the standard normal law between the limits.
 
-    Both halves of the law are inverted in their tails, where masses keep their digits.
+    Each half of the law is inverted in its tail, where masses keep their digits.
     """
     from scipy.special import ndtr, ndtri
 
@@ -293,7 +293,7 @@ LAWS = (Normal, Uniform, TruncatedNormal)
 
 
 def check_law(name: str, law: Any, *kinds: type) -> None:
-    """Raise a TypeError unless the law is of one of the kinds, any if none is given."""
+    """Raise TypeError unless the law is of one of the kinds (of any kind by default)."""
     allowed = " or ".join(kind.__name__ for kind in kinds or LAWS)
     require(isinstance(law, kinds or LAWS), name, law, f"must be a law, {allowed}", TypeError)
 
@@ -311,7 +311,7 @@ def select(law: Law, shape: tuple[int, ...], index: Any) -> Law:
 
 
 def find_centre(law: Law) -> Array:
-    """Find a place where the law has its mass, or within a width of it."""
+    """Find a point where the law has its mass, or within a width of it."""
     if isinstance(law, Uniform):
         return np.asarray(law.lower) / 2 + np.asarray(law.upper) / 2
     if isinstance(law, Normal):
@@ -321,6 +321,6 @@ def find_centre(law: Law) -> Array:
 
 
 def move(law: Law, distance: ArrayLike) -> Law:
-    """Return the law of the value plus `distance`: all parameters are places but the width."""
+    """Return the law of the value plus `distance`, which shifts every parameter but the width."""
     moved = {n: p if n == "std" else np.add(p, distance) for n, p in vars(law).items()}
     return type(law).of_checked(**moved)

@@ -1,7 +1,7 @@
-"""What formulas ask of arrays that compiled code does with numbers.
+"""Array versions of the operations that compiled code does on numbers.
 
-A formula that is written with these and with NumPy's functions of elements takes arrays; compiled
-code takes the same formula with numbers, and has functions of its own in place of these.
+A formula written with these and NumPy's elementwise functions takes arrays. Compiled code takes the
+same formula with numbers, and has its own functions in place of these.
 """
 
 from __future__ import annotations

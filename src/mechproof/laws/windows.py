@@ -1,4 +1,4 @@
-"""Masses of windows without cancellation, of the standard normal law and in general."""
+"""Masses of windows without cancellation, for the standard normal law and in general."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ def subtract_tails(below: tuple[Any, Any], above: tuple[Any, Any]) -> Any:
 def complete(mass: Any, integral: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
     """Integrate where a difference of tails cancels.
 
-    That of an endless window, which has no integral here, cancels among the smallest numbers only.
+    Infinite windows, not integrated here, cancel only among the smallest numbers.
     """
     found = compute_where(mass < 0, integral, arguments, mass)
     return choose((mass < 0) & np.isnan(found), 0.0, found)
 
 
 def find_tails(z: Any) -> tuple[Any, Any]:
-    """Masses of the standard normal law below and above, the larger by what the smaller leaves."""
+    """Masses of the standard normal law below and above, the larger as the complement."""
     smaller = normal_tail(z)
     return choose(z < 0, smaller, 1 - smaller), choose(z < 0, 1 - smaller, smaller)
 
@@ -52,7 +52,7 @@ def find_tails(z: Any) -> tuple[Any, Any]:
 def normal_interval(low: Any, high: Any, width: Any) -> Any:
     """Mass of the standard normal law between the limits, zero where they are reversed.
 
-    `width` is high - low, given by the caller because it may know it better.
+    `width` is high - low, which the caller may know more accurately.
     """
     high = np.maximum(low, high)
     (below_low, above_low), (below_high, above_high) = find_tails(low), find_tails(high)
@@ -74,12 +74,12 @@ def normal_density(z: Any) -> Any:
 
 
 def scale_distance(distance: Any, scale: Any, at_zero: Any) -> Any:
-    """Divide; for scale 0 the infinity of the sign of `distance`, `at_zero` for 0/0."""
+    """Divide; at scale 0, return infinity with the sign of `distance`, or `at_zero` for 0/0."""
     return choose((distance == 0) & (scale == 0), at_zero, distance / scale)
 
 
 def standardise(distance: ArrayLike, scale: ArrayLike, at_zero: ArrayLike = np.nan) -> Array:
-    """Scale distances that are array-likes."""
+    """Scale array-like distances."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         scaled: Array = scale_distance(
             np.asarray(distance, float), np.asarray(scale, float), at_zero
