@@ -290,7 +290,7 @@ BAD_CALLS = [
         ValueError,
         r"laws = \['t'\]: must be given for .*\['s'\]",
     ),
-    (lambda: scatter(laws=6), TypeError, "laws = 6: must be laws by the names of sizes"),
+    (lambda: scatter(laws=6), TypeError, "laws = 6: must map names of sizes to laws"),
     (lambda: scatter(laws=Uniform(0, 1)), TypeError, "laws = Uniform.*a function of a Size"),
     (lambda: scatter(laws={"s": 6}), TypeError, r"laws\['s'\] = 6: must be a law"),
     (lambda: scatter(laws={"s": Normal([0, 1], 1)}), ValueError, r"laws\['s'\] = .*one number"),

@@ -7,11 +7,11 @@ other; it must work point by point. All ranges are given at every input:
   combination gives them;
 - `contributions`: first-order effect of every size, and `root_sum_square` of them;
 - `monte_carlo_range`: the range of given probability for stated laws of the sizes, which a `Size`
-  makes of its limits (`Size.uniform`, `Size.normal`, `Size.truncated_normal`);
-- `certified_range`: proved bounds over the whole box of limits, of a quantity of a derivation;
-- `allocate_tolerances`: backwards, the tolerances that keep a quantity in a wanted width.
+  makes from its limits (`Size.uniform`, `Size.normal`, `Size.truncated_normal`);
+- `certified_range`: proved bounds of a derived quantity over the whole box of limits;
+- `allocate_tolerances`: the inverse, tolerances that keep a quantity within a wanted width.
 
-The ranges take any executor of `concurrent.futures`, on which no result depends.
+The ranges take any executor of `concurrent.futures`; no result depends on it.
 
 The mechanisms and users may import it; it imports NumPy, and the layers of the `derive` extra
 inside `certified_range`.

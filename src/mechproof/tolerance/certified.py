@@ -1,11 +1,11 @@
 """The range of a derived quantity over the whole box of its sizes, certified by ball arithmetic.
 
-A corner range is no bound where the dependence on a size turns between its limits. Here the
-derivation of a quantity gives its derivatives, and balls give their signs over the box: a size
-in which the quantity is monotonic goes to a limit, the others are cut into halves until the
-bound meets a value that is attained, or a budget is spent. What is then open is the gap. It is
-interval branch and bound (Moore 1966, Hansen and Walster 2004; `subdivision`), where the GUM takes
-the first order and JCGM 101 samples.
+A corner range is no bound if the dependence on a size turns between its limits. Here, the
+derivation of a quantity gives its derivatives, and balls give their signs over the box. A size in
+which the quantity is monotonic goes to a limit; the others are bisected until the bound meets an
+attained value or a budget is spent. What is then left open is the gap. This is interval branch and
+bound (Moore 1966, Hansen and Walster 2004; `subdivision`), where the GUM takes the first order and
+JCGM 101 samples.
 
 Needs the `derive` extra (sympy, python-flint).
 
@@ -38,7 +38,7 @@ from mechproof.tools.extras import tell_missing
 if TYPE_CHECKING:
     from mechproof.record import Paper
 
-# Inputs that a worker takes at a time.
+# Inputs per task of a worker.
 INPUTS = 4
 
 
@@ -46,13 +46,13 @@ INPUTS = 4
 class CertifiedRange:
     """Bounds of a quantity over the whole box of sizes, at every input.
 
-    `lower` and `upper` are bounds: no sizes within their limits give a value beyond. The true
-    extremes lie between them and `lower_attained`, `upper_attained`, which are values of the
-    quantity at sizes in the box, NaN where none was found. Infinite bounds mean that the quantity
-    may be undefined there, or that the budget did not show it to be defined.
+    `lower` and `upper` are bounds: no sizes within their limits give a value beyond them. The true
+    extremes lie between the bounds and `lower_attained`, `upper_attained`, which are values of the
+    quantity at sizes in the box, NaN if none was found. Infinite bounds mean that the quantity may
+    be undefined there, or was not shown to be defined within the budget.
 
-    `turning` adds a last axis along `names`, the toleranced sizes: True where the whole box did
-    not show the quantity to be monotonic in the size. `without_influence` names the sizes whose
+    `turning` adds a last axis along `names`, the toleranced sizes: True if the quantity was not
+    shown to be monotonic in the size over the whole box. `without_influence` names the sizes whose
     derivative is proved to be identically zero. `boxes` counts the boxes examined.
     """
 
@@ -87,7 +87,7 @@ def certified_range(
     progress: Progress | None = None,
     executor: Executor | None = None,
 ) -> CertifiedRange:
-    """Bound a quantity of a derivation over the box of its sizes.
+    """Bound a derived quantity over the box of its sizes.
 
     Parameters
     ----------
@@ -98,12 +98,12 @@ def certified_range(
     inputs
         Array-like of any shape.
     sizes
-        Name and `Size` of every other argument, and of any other variable of the paper; with all
-        their limits in the sets and relations that the paper and the quantity state for them.
+        Name and `Size` of every other argument, and of any other variable of the paper. All their
+        limits must satisfy the sets and relations stated by the paper and the quantity.
     gap
-        Cut on while bound and attained value are further apart than this.
+        Bisection continues while bound and attained value are further apart than this.
     budget
-        Boxes to examine at most for each end at each input.
+        Largest number of boxes to examine for each end at each input.
     progress
         Called as progress(done, total) after every input.
     executor
@@ -113,17 +113,17 @@ def certified_range(
     Returns
     -------
     CertifiedRange
-        Arrays of the inputs' shape. NaN in, NaN out; infinite bounds where the input and the
-        sizes are not shown to lie in the domain together.
+        Arrays of the inputs' shape. NaN in, NaN out; infinite bounds if the input and the sizes are
+        not shown to lie in the domain together.
 
     Raises
     ------
     ImportError
-        Without the `derive` extra.
+        If the `derive` extra is not installed.
     TypeError, ValueError
-        Names the parameter: also a size of which a part lies outside the domain.
+        Names the parameter, which may be a size partly outside the domain.
     mechproof.tools.processes.WorkerError
-        If the executor loses a worker and does not make up for it.
+        If the executor loses a worker and does not recover.
 
     """
     check_count("budget", budget)
@@ -158,7 +158,7 @@ def certified_range(
 
 @dataclass(frozen=True)
 class _Sent:
-    """A problem as it is sent: written once, read once by every process."""
+    """A problem as it is sent: pickled once, unpickled once by every process."""
 
     problem: Problem
 

@@ -1,7 +1,7 @@
 """The range of a function over all combinations of limits of its sizes.
 
-It is the worst case analysis of dimensional chains, exact where the function is monotonic in every
-size. Where it turns between limits a corner range is too narrow: `certified_range` is not.
+This is the worst-case analysis of dimensional chains, exact if the function is monotonic in every
+size. If it turns between limits, the corner range is too narrow, unlike `certified_range`.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ from mechproof.tolerance.sizes import (
 # 2**24 combinations take seconds for each input, and each further size doubles that.
 MOST_SIZES = 24
 
-# Values per call: few enough for a kernel to keep what depends on few sizes that short.
+# Values per call: few, so that a kernel keeps results that depend on few sizes that short.
 CHUNK = 2**14
-# Loops along the last axis are to be at least this long.
+# Loops along the last axis should be at least this long.
 LONG_LOOP = 64
 
 Index = NDArray[np.int64]
@@ -46,12 +46,11 @@ class CornerRange:
 
     `nominal`, `lower`, `upper` and `undefined` have the inputs' shape; `lower_signs` and
     `upper_signs` add a last axis along `names`, the toleranced sizes in their given order.
-    A sign tells at which limit the size gives the value: +1 upper, -1 lower, 0 either (with
-    every other size as its own sign says, those of sign 0 at their lower limits).
+    A sign tells which limit of the size gives the value: +1 upper, -1 lower, 0 either (with every
+    other size as its own sign says, and sizes of sign 0 at their lower limits).
 
-    `undefined` counts the combinations for which the function is NaN. Where there is one, no
-    range is claimed: `lower` and `upper` are NaN and both rows of signs show the first such
-    combination.
+    `undefined` counts the combinations at which the function is NaN. If there are any, no range is
+    claimed: `lower` and `upper` are NaN, and both rows of signs show the first such combination.
     """
 
     names: tuple[str, ...]
@@ -74,7 +73,7 @@ class CornerRange:
 
     @property
     def influential(self) -> tuple[str, ...]:
-        """The sizes that matter: the range stays if all others keep to their lower limits."""
+        """The sizes that matter: the range stays the same with all others at their lower limits."""
         matters = np.count_nonzero(self._all_signs(), axis=0)
         return tuple(name for name, count in zip(self.names, matters, strict=True) if count)
 
@@ -112,23 +111,23 @@ def corner_range(
 ) -> CornerRange:
     """Evaluate `function(inputs, **sizes)` at all 2^m combinations of limits of m sizes.
 
-    This is no bound over the box of sizes: where the dependence on a size turns between its
-    limits, values inside lie beyond those at the corners. It is one where the function is
-    monotonic in every size.
+    This is no bound over the box of sizes: if the dependence on a size turns between its limits,
+    values inside lie beyond those at the corners. It is a bound if the function is monotonic in
+    every size.
 
     Parameters
     ----------
     function
-        Called with inputs on the last axis and sizes on axes of their own before it, some of
-        them together on one axis, or of the inputs' shape; returns real numbers of the common
-        shape, or that broadcast to it. What depends on few sizes stays small in it. Fixed sizes
-        are passed as their nominal number.
+        Called with inputs on the last axis and sizes on separate axes before it, some of them
+        together on one axis, or of the inputs' shape. It returns real numbers that broadcast to the
+        common shape, so results that depend on few sizes stay small. Fixed sizes are passed as
+        their nominal number.
     inputs
         Array-like of any shape; NaN in, NaN out.
     sizes
         Name and `Size`; at most 24 of them with a tolerance.
     chunk
-        Values per call. Memory is a few times this and a few numbers per input and size,
+        Values per call. Memory use is a few times this, plus a few numbers per input and size,
         whatever the number of combinations.
     progress
         Called as progress(done, total) after every call, in function values.
@@ -141,15 +140,15 @@ def corner_range(
     -------
     CornerRange
         The values themselves are those of `function`, unchanged. Of equal values, the first
-        combination counts, the lower limit before the upper.
+        combination counts, with the lower limit before the upper.
 
     Raises
     ------
     TypeError, ValueError
-        Names the parameter; also where the function returns complex numbers or another shape, or
+        Names the parameter; also if the function returns complex numbers or another shape, or
         cannot be sent to the processes of an executor.
     mechproof.tools.processes.WorkerError
-        If the executor loses a worker and does not make up for it.
+        If the executor loses a worker and does not recover.
 
     Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
 
@@ -174,7 +173,7 @@ def corner_range(
 
 
 def _block_shape(points: int, sizes: int, chunk: int) -> tuple[int, int]:
-    """Return how many inputs a block has, and how many of the first sizes vary in it."""
+    """Return the number of inputs in a block, and how many of the first sizes vary in it."""
     rows = max(1, min(points, chunk, max(LONG_LOOP, chunk >> sizes)))
     return rows, min(sizes, (chunk // rows).bit_length() - 1)
 
@@ -192,7 +191,7 @@ def _search(
     highest = _Extreme(points.size, np.greater_equal, -np.inf)
     undefined = np.zeros(points.size, np.int64)
     for part in slices(points.size, rows):
-        # In this order: of equal values the first counts.
+        # In this order, since the first of equal values counts.
         for _ in starts:
             block = next(blocks)
             lowest.update(part, *block.lowest)
@@ -215,7 +214,7 @@ def _search_block(box: _Box, width: int, task: tuple[Floats, int]) -> _Block:
     inputs, first = task
     values = box.evaluate_block(inputs, first, width)
     columns = np.arange(inputs.size)
-    # The first NaN is both extremes.
+    # The first NaN counts as both extremes.
     low, high = values.argmin(axis=0), values.argmax(axis=0)
     lowest, highest = values[low, columns], values[high, columns]
     undefined = np.count_nonzero(np.isnan(values), axis=0) if np.isnan(lowest).any() else 0
@@ -242,8 +241,8 @@ class _Box:
         if len(self.varying) > MOST_SIZES:
             combinations = f"{2 ** len(self.varying):,} combinations"
             allowed = (
-                f"must be at most {MOST_SIZES} with a tolerance, not {combinations}; fix those "
-                "whose `contributions` are small, or use `monte_carlo_range` or `certified_range`"
+                f"must be at most {MOST_SIZES} with a tolerance, not {combinations}; fix sizes "
+                "of small `contributions`, or use `monte_carlo_range` or `certified_range`"
             )
             refuse("sizes", [*self.varying], allowed)
         self.nominal: dict[str, float | Floats] = {
@@ -255,7 +254,7 @@ class _Box:
     def evaluate_block(self, inputs: Floats, first: int, width: int) -> Floats:
         """Return the values of 2**width combinations from `first` on, shape (2**width, inputs).
 
-        The first sizes share an axis until its loops are long; each other has one of its own.
+        The first sizes share an axis until its loops are long; every other size has its own.
         """
         together = min(width, (LONG_LOOP // max(inputs.size, 1)).bit_length())
         axes = (2,) * (width - together) + (2**together,)
@@ -281,10 +280,10 @@ class _Box:
         return evaluate(self.function, inputs, self.nominal | at_limits, index.shape)
 
     def find_signs(self, task: tuple[Floats, Index]) -> NDArray[np.int8]:
-        """Return at which limit each size gives the value of its combination; 0 for either."""
+        """Return the limit at which each size gives the value of its combination; 0 for either."""
         inputs, index = task
-        # Both sides of a comparison come from one call: another memory layout may take
-        # another code path of NumPy and differ in the last bit.
+        # Both sides of a comparison come from one call: with another memory layout, NumPy may take
+        # another code path and differ in the last bit.
         bits = self.bits[:, np.newaxis]
         values = self.evaluate(inputs, np.vstack([index, index ^ 1 << bits]))
         here, flipped = values[:1], values[1:]
@@ -293,7 +292,7 @@ class _Box:
 
 
 class _Extreme:
-    """The running smallest or largest value of every input; the first NaN wins and stays."""
+    """The smallest or largest value of every input so far; the first NaN wins and stays."""
 
     def __init__(self, count: int, keeps: Any, start: float) -> None:
         self.keeps = keeps
@@ -301,7 +300,7 @@ class _Extreme:
         self.index = np.zeros(count, np.int64)
 
     def update(self, part: slice, value: Floats, index: Index) -> None:
-        """Take what is beyond the values of a part so far."""
+        """Include the values of a part that go beyond those so far."""
         best, at = self.value[part], self.index[part]
         better = ~(self.keeps(best, value) | np.isnan(best))
         best[better] = value[better]

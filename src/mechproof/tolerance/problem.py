@@ -1,4 +1,4 @@
-"""A quantity of a derivation over its sizes, ready to be bounded, and where it is defined."""
+"""A derived quantity over its sizes, ready to be bounded, and where it is defined."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from mechproof.statement_domains.domain import Domain
 
 
-# Inputs at which the influence of a size may be seen.
+# Inputs at which the influence of a size may show.
 PROBES = (0.1, -0.1, 1.0, -1.0, 10.0, -10.0)
 
 
@@ -62,8 +62,8 @@ class Problem:
         chosen = {self.running, *self.sized.values()}
         given = {s: g for s, g in domain.given.items() if s not in chosen}
         free = Domain(domain.within, (), given)
-        # Definition and form are equal (an approximation is not used), but not their balls: the
-        # narrower counts. The form spares cancellations, the definition has shorter derivatives.
+        # Definition and form are equal (an approximation is not used), but their balls are not: the
+        # narrower one counts. The form avoids cancellation; the definition has shorter derivatives.
         exact = [quantity.definition]
         exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
         self.tapes = [GradientTape(e, given) for e in exact]
@@ -72,9 +72,9 @@ class Problem:
         self._sort_sizes(domain, lambda: free.resolve(exact[-1]))
 
     def _sort_sizes(self, domain: Domain, write_out: Callable[[], Any]) -> None:
-        """Tell the sizes that vary from those that are fixed or have no influence.
+        """Separate the sizes that vary from those that are fixed or have no influence.
 
-        Raises ValueError for branches of the quantity that need not meet.
+        Raises ValueError if branches of the quantity need not meet.
         """
         varying = {n: self.sized[n] for n in check_sizes(self.sizes)}
         tied = set().union(*(c.relation.free_symbols for c in self.conditions))
@@ -90,7 +90,7 @@ class Problem:
         }
 
     def _find_moving(self, symbols: list[Any]) -> set[Any]:
-        """Find sizes whose influence is seen at the nominal sizes: the others are left to proof."""
+        """Find sizes that show influence at the nominal sizes; the others are left to proof."""
         nominal = {s: self.sizes[n].nominal for n, s in self.sized.items()}
         moving: set[Any] = set()
         for x in filter(partial(is_inside, self.inputs), PROBES):
@@ -101,7 +101,7 @@ class Problem:
         return moving
 
     def _collect(self, relations: Iterable[Any]) -> list[BoxCondition]:
-        """Return the conditions to decide at every input; those of the sizes alone are checked."""
+        """Return the conditions to decide at every input, after checking those of sizes alone."""
         single = [part for relation in relations for part in split(relation)]
         names = {s: n for n, s in self.sized.items()}
         known = [r for r in single if r.free_symbols <= {self.running, *names}]
@@ -139,7 +139,7 @@ def _find_quantity(paper: Paper, name: str) -> Quantity:
 
 
 def _match_symbols(paper: Paper, quantity: Quantity, sizes: Mapping[str, Size]) -> dict[str, Any]:
-    """Return the symbols of the sizes; an argument may have another name than its symbol."""
+    """Return the symbols of the sizes; an argument's name may differ from its symbol's."""
     running, *needed = quantity.arguments
     symbols = {str(v.symbol): v.symbol for v in paper.variables}
     symbols |= {a.name: a.symbols[0] for a in needed}
@@ -163,12 +163,12 @@ def _is_idle(value: Any, symbol: Any, domain: Any) -> bool:
     )
 
 
-# Boxes to examine for a relation between sizes before it is left to every input.
+# Boxes to examine for a relation between sizes before it is decided at every input.
 BUDGET = 200
 
 
 class BoxCondition:
-    """A relation, decided over boxes by balls and, size by size, by the sign of its slope."""
+    """A relation decided over boxes by balls and, size by size, by the sign of its slope."""
 
     def __init__(self, relation: Any) -> None:
         from mechproof.arithmetic.slopes import GradientTape
@@ -180,7 +180,7 @@ class BoxCondition:
         self.strict = slack is not None and slack.strict
 
     def decide(self, known: Known, box: Box) -> bool | None:
-        """Return whether it holds all over the box; False: at some point not; None: unknown."""
+        """Return True if it holds all over the box, False if it fails at some point, else None."""
         if self.slack is None:
             return self._decide_at_point(known, box)
         symbols = open_symbols(box) if self.slack.is_continuous else []
@@ -207,7 +207,7 @@ class BoxCondition:
 
 
 def split(relation: Any) -> list[Any]:
-    """Return relations that hold together where the given one does, |u| <= v as two of u."""
+    """Return relations equivalent together to the given one, such as two for |u| <= v."""
     import sympy as sp
 
     if isinstance(relation, sp.And):
@@ -220,7 +220,7 @@ def split(relation: Any) -> list[Any]:
 
 
 def is_inside(values: Any, number: float) -> bool:
-    """Say whether a number lies in the set of a variable."""
+    """Return whether a number lies in the set of a variable."""
     import sympy as sp
 
     if not math.isfinite(number):
@@ -231,7 +231,7 @@ def is_inside(values: Any, number: float) -> bool:
 
 
 def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
-    """Raise ValueError, naming the size, unless all of it lies in the set of its variable."""
+    """Raise ValueError, naming the size, unless its limits lie in the set of its variable."""
     import sympy as sp
 
     for name, size in sizes.items():
@@ -244,9 +244,9 @@ def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
 def check_relation(
     condition: BoxCondition, sizes: Mapping[str, Size], symbols: Mapping[str, Any]
 ) -> bool:
-    """Return whether the relation is shown for all the sizes within their limits.
+    """Return whether the relation is shown for all sizes within their limits.
 
-    Raises ValueError that names the sizes if it is violated at some of them.
+    Raises ValueError, naming the sizes, if it is violated at some of them.
     """
     box = {symbols[name]: size.limits for name, size in sizes.items()}
     parts, undecided = deque([box]), False

@@ -1,4 +1,4 @@
-"""The range of a function for sizes that scatter by stated laws: Monte Carlo, as in JCGM 101."""
+"""The range of a function for sizes with stated probability laws: Monte Carlo, as in JCGM 101."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ from mechproof.tolerance.sizes import (
     evaluate,
 )
 
-# Samples that one generator draws: the result depends on it.
+# Samples per generator; the result depends on it.
 DRAWN = 2**16
 
 Samples = dict[str, float | Floats]
 
 
 class Scatter(Protocol):
-    """How a size scatters: a law of `mechproof.laws`, or whatever else can be sampled."""
+    """How a size scatters: a law of `mechproof.laws`, or anything else that can be sampled."""
 
     def sample(self, rng: np.random.Generator, size: int, /) -> Any:
         """Draw `size` independent values."""
@@ -44,8 +44,8 @@ class Scatter(Protocol):
 class MonteCarloRange:
     """Range of stated probability, mean and standard deviation, all of the inputs' shape.
 
-    `undefined` counts the samples for which the function is NaN; where there is one, no range
-    is claimed: everything else is NaN there.
+    `undefined` counts the samples at which the function is NaN. If there are any, no range is
+    claimed: everything else is NaN there.
     """
 
     probability: float
@@ -72,31 +72,31 @@ def monte_carlo_range(
 ) -> MonteCarloRange:
     """Sample independent sizes and return the symmetric range of the given probability.
 
-    The ends are the sample's quantiles (1 ∓ probability)/2. The share of samples beyond an end
-    scatters about its q by √(q(1-q)/count): 9 % of q at the defaults.
+    The ends are the sample quantiles (1 ∓ probability)/2. The share of samples beyond an end has a
+    standard deviation of √(q(1-q)/count) about its q: 9 % of q at the defaults.
 
     Parameters
     ----------
     function, inputs, sizes, progress, executor
         As in `corner_range`.
     laws
-        The law of every size with a tolerance, by name, or what makes it of a size: `Size.uniform`,
-        `lambda size: size.normal(6)`.
+        The law of every size with a tolerance, by name, or a function that makes it from a size,
+        such as `Size.uniform` or `lambda size: size.normal(6)`.
     rng
-        Source of the samples; the same samples serve all inputs. Every 65,536 of them are drawn
-        by a generator spawned from this one, in the order of `sizes`.
+        Source of the samples; the same samples serve all inputs. Every 65,536 of them come from a
+        generator spawned from this one, in the order of `sizes`.
     probability
         Between 0 and 1; 0.9973 is ± 3 standard deviations of a normal law.
     count
         Number of samples, at least 2.
     chunk
-        Values per call. Memory is a few times this, and `count` numbers for every size and
-        for a few inputs at a time; with an executor, up to 32 chunks of every size are under way.
+        Values per call. Memory use is a few times this, plus `count` numbers for every size and for
+        a few inputs at a time; an executor holds up to 32 chunks of every size.
 
     Raises
     ------
     TypeError, ValueError, mechproof.tools.processes.WorkerError
-        As in `corner_range`; an executor of processes needs laws that can be pickled.
+        As in `corner_range`; with processes, the laws must be picklable.
 
     """
     check_count("count", count, least=2)
@@ -160,7 +160,7 @@ def _find_laws(
     if isinstance(laws, Mapping):
         check_names("laws", laws, varying)
         return laws
-    allowed = "must be laws by the names of sizes, or a function of a Size such as Size.uniform"
+    allowed = "must map names of sizes to laws, or be a function of a Size such as Size.uniform"
     require(callable(laws), "laws", laws, allowed, TypeError)
     return {name: laws(size) for name, size in varying.items()}
 
@@ -183,7 +183,7 @@ def _sample_law(name: str, law: Scatter, rng: np.random.Generator, count: int) -
 
 
 def _cut(part: slice, count: int, chunk: int) -> Iterator[slice]:
-    """Cut the samples into what is evaluated at once for a part of the inputs."""
+    """Cut the samples into parts that are evaluated at once for a part of the inputs."""
     return slices(count, chunk // (part.stop - part.start))
 
 

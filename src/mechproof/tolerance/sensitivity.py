@@ -65,14 +65,14 @@ class Contributions:
 
     @property
     def effects(self) -> Floats:
-        """Change of the value from the lower to the upper limit of each size."""
+        """Change of the value between the lower and the upper limit of each size."""
         tolerances = np.array([size.tolerance for size in self.sizes])
         effects: Floats = self.sensitivities * tolerances
         return effects
 
     @property
     def middle(self) -> Any:
-        """First-order value with every size in the middle between its limits."""
+        """First-order value with every size midway between its limits."""
         deviations = np.array([size.middle_deviation for size in self.sizes])
         return self.nominal + self.sensitivities @ deviations
 
@@ -93,18 +93,18 @@ def contributions(
 ) -> Contributions:
     """Return the first-order contribution of every toleranced size.
 
-    Of a kernel of `mechproof.kernels` that has derivatives, the sensitivities are these at the
-    nominal sizes. Of any other function, without `sensitivities`, each is the difference quotient
-    between the limits of its size, the others nominal: exact for a linear function, else off by
-    about T²/24 times the third derivative and, for unequal limits, by their middle deviation times
-    the second. NaN in, NaN out.
+    For a kernel of `mechproof.kernels` with derivatives, the sensitivities are the derivatives at
+    the nominal sizes. For any other function, without `sensitivities`, each is the difference
+    quotient between the limits of its size, with the others nominal. It is exact for a linear
+    function; otherwise it is off by about T²/24 times the third derivative and, for unequal limits,
+    by their middle deviation times the second. NaN in, NaN out.
 
     Parameters
     ----------
     function, inputs, sizes
         As in `corner_range`; sizes are passed as numbers.
     sensitivities
-        Exact derivatives at the nominal sizes: name and array-like that broadcasts to the
+        Exact derivatives at the nominal sizes: a name and an array-like that broadcasts to the
         inputs, for every toleranced size and no other.
 
     Raises
@@ -147,7 +147,7 @@ def _difference_quotient(
     at_low, at_high = (
         evaluate(function, inputs, nominal | {name: limit}, inputs.shape) for limit in (low, high)
     )
-    # The limits as doubles, whose distance is not quite the tolerance.
+    # The limits are doubles, and their distance is not exactly the tolerance.
     return (at_high - at_low) / (high - low)
 
 
@@ -170,9 +170,9 @@ def _check_sensitivities(
 def root_sum_square(contributions: Contributions) -> Range:
     """Return the middle value ± half the root of the sum of squared effects.
 
-    To first order and for independent sizes this is the range of probability 0.9973 if every
-    size is normal about the middle between its limits with six standard deviations between
-    them; generally, the range of K standard deviations where each tolerance is K of its size's.
+    To first order, for independent sizes, this is the range of probability 0.9973 if every size is
+    normal about the middle of its limits, with six standard deviations between them. In general, it
+    is the range of K standard deviations if each tolerance is K of its size's.
 
     Source: equation (5) of Kapitonov and Yakubovsky 2022 (track_wheel) with the sensitivities
     kept and all relative-scatter coefficients equal.

@@ -25,8 +25,8 @@ class Size:
     """A nominal size with its upper and lower limit deviations, both signed.
 
     `Size(38, 0, -2.06)` lies between 35.94 and 38. Both deviations may have the same sign (a
-    fit). Without deviations the size is fixed. What is no real number raises TypeError, what is
-    not finite ValueError, and so do limits that are not apart as doubles (except for a fixed size).
+    fit). Without deviations, the size is fixed. Raises TypeError for anything but real numbers, and
+    ValueError if they are not finite or the limits are equal as doubles (except for a fixed size).
     """
 
     nominal: float
@@ -60,11 +60,11 @@ class Size:
         return (self.upper + self.lower) / 2
 
     def uniform(self) -> Uniform:
-        """Return the law by which the size lies anywhere between its limits, equally likely."""
+        """Return the uniform law between the limits of the size."""
         return Uniform(*self.limits)
 
     def normal(self, multiple: float) -> Normal:
-        """Return the normal law about the middle between the limits, which are exceeded.
+        """Return the normal law about the middle of the limits; it extends beyond them.
 
         The tolerance is `multiple` standard deviations wide, `multiple` > 0.
         """
@@ -72,13 +72,13 @@ class Size:
         return Normal.from_width(middle, self.tolerance, multiple)
 
     def truncated_normal(self, multiple: float) -> TruncatedNormal:
-        """Return the law `normal` of the sizes between the limits; the others are sorted out."""
+        """Return the law `normal` truncated to the limits: the other sizes are sorted out."""
         law = self.normal(multiple)
         return TruncatedNormal(law.mean, law.std, *self.limits)
 
 
 def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
-    """Return the toleranced sizes; TypeError names what is not a Size."""
+    """Return the toleranced sizes; a TypeError names anything that is not a Size."""
     check_mapping("sizes", sizes, "must map names to Sizes")
     for name, size in sizes.items():
         is_named = isinstance(name, str) and isinstance(size, Size)
@@ -87,7 +87,7 @@ def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
 
 
 def check_names(name: str, given: Mapping[str, object], varying: Mapping[str, Size]) -> None:
-    """Raise an error unless something is given for every size with a tolerance, and no other."""
+    """Raise an error unless `given` has exactly the sizes with a tolerance."""
     allowed = f"must be given for the sizes with a tolerance, {sorted(varying)}"
     check_mapping(name, given, allowed)
     require(set(given) == set(varying), name, sorted(map(str, given)), allowed)
@@ -98,16 +98,16 @@ def evaluate(
 ) -> Floats:
     """Return function(inputs, **sizes) as float64 of the given shape.
 
-    TypeError where the function returns no real numbers, ValueError where its shape does not fit.
+    Raises TypeError if the function returns no real numbers, ValueError if its shape does not fit.
     """
     values = np.asarray(function(inputs, **sizes))
     if values.dtype.kind not in "fiub":
-        raise TypeError(f"function returned dtype {values.dtype}: real numbers are needed")
+        raise TypeError(f"function returned dtype {values.dtype}: must return real numbers")
     try:
         return np.broadcast_to(values, shape).astype(np.float64, copy=False)
     except ValueError:
         raise ValueError(
-            f"function returned shape {values.shape} where inputs and sizes broadcast to {shape}: "
+            f"function returned shape {values.shape} but inputs and sizes broadcast to {shape}: "
             "it must work point by point"
         ) from None
 
@@ -126,7 +126,7 @@ class Report:
         self.done, self.total, self.progress = 0, total, progress
 
     def add(self, values: int) -> None:
-        """Count further values and report."""
+        """Add newly computed values and report."""
         self.done += values
         if self.progress is not None:
             self.progress(self.done, self.total)

@@ -1,8 +1,8 @@
-"""Branch and bound over a box of sizes, with slopes that send sizes to their limits.
+"""Branch and bound over a box of sizes, with slopes that move sizes to their limits.
 
 The method is that of Moore and Skelboe (1974) with the monotonicity test of Hansen and Walster
-(2004). A box has slopes in balls, which make a face of it and choose the cut: a few hundred, each
-in turn, suffice where `arithmetic.cover` bounds thousands at once in doubles, without slopes.
+(2004). A box has slopes in balls, which reduce it to a face and choose the cut. A few hundred
+suffice, one by one; `arithmetic.cover` bounds thousands at once in doubles, without slopes.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def _round_down(number: Any) -> float:
 
 
 class BoundedBox(NamedTuple):
-    """A bound over a box, its face where the extreme lies, the size to cut, if it is inside."""
+    """A bound over a box, the face with the extreme, the size to cut, and whether it is inside."""
 
     bound: float
     box: Box
@@ -126,11 +126,11 @@ class Search:
         self.turning: set[Any] = set()
 
     def run(self, gap: float, budget: int) -> Search:
-        """Cut the box with the largest bound until the gap is closed or the budget spent."""
+        """Cut the box with the largest bound until the gap is closed or the budget is spent."""
         order = itertools.count()
         first = self._examine(self.problem.limits, inside=False)
         self.turning = set(open_symbols(first.box))
-        # Of equal bounds, one that no cut can lower comes first: it ends the search.
+        # Among equal bounds, one that no cut can lower comes first: it ends the search.
         heap = [(-first.bound, first.cut is not None, next(order), first)]
         while self.boxes < budget:
             part = heap[0][-1]
@@ -163,7 +163,7 @@ class Search:
         return BoundedBox(bound, face, self._choose_cut(face, steep), inside=True)
 
     def _choose_cut(self, box: Box, steep: dict[Any, float]) -> Any:
-        """Return the size with the largest reach; where none is known, the widest."""
+        """Return the size with the largest reach, or the widest one if a reach is not known."""
         if any(np.isinf(reach) for reach in steep.values()):
             return find_widest(box, self.problem.limits)
         return max(steep, key=steep.__getitem__, default=None)
@@ -174,10 +174,10 @@ class Search:
         return False if False in found else None if None in found else True
 
     def _descend(self, box: Box) -> tuple[Box, list[Any], dict[Any, list[Any]]]:
-        """Narrow the box to where the extreme lies; all values and slopes there.
+        """Narrow the box to where the extreme lies; return all values and slopes there.
 
-        A size in which the quantity is monotonic goes to a limit; one in which it bends to one
-        side goes to where the slope may vanish, or to a limit.
+        A size in which the quantity is monotonic goes to a limit. One in which it is concave goes
+        to where the slope may vanish, or to a limit.
         """
         while True:
             natural, slopes = self._differentiate(box)
@@ -190,7 +190,7 @@ class Search:
                 return box, natural, slopes
 
     def _narrow(self, box: Box) -> Box:
-        """Narrow a size to the tops of the curves along it, if all have one, by Newton's step."""
+        """Narrow a size to the maxima of the curves along it, if all have one, by Newton's step."""
         for symbol in open_symbols(box):
             bend = self._bend(box, symbol)
             if not bend < 0:
@@ -205,32 +205,32 @@ class Search:
         return box
 
     def _differentiate(self, box: Box, *more: Any) -> tuple[list[Any], dict[Any, list[Any]]]:
-        """Enclose the quantity by every program, and its slopes by the one that says more."""
+        """Enclose the quantity by every program, and its slopes by the more informative one."""
         values, symbols = to_values(self.known, box), [*open_symbols(box), *more]
         found = [p.differentiate(values, symbols) for p in self.problem.tapes]
         natural = [self.direction * value for value, _ in found]
         return natural, {s: self._choose_way([slopes[s] for _, slopes in found]) for s in symbols}
 
     def _choose_way(self, ways: list[list[Any]]) -> list[Any]:
-        """Return the slopes with a sign, else those whose hull is narrowest."""
+        """Return the slopes with a common sign, or else those with the narrowest hull."""
         directed = [[self.direction * branch for branch in way] for way in ways]
         signed = [way for way in directed if common_sign(way)]
         return signed[0] if signed else min(directed, key=lambda way: width(hull(way)))
 
     def _bend(self, box: Box, symbol: Any) -> Any:
-        """Enclose the second derivative by a size."""
+        """Enclose the second derivative with respect to a size."""
         values = to_values(self.known, box)
         bends = [self.direction * p.bend(values, symbol) for p in self.problem.tapes]
         return min(bends, key=width)
 
     def _climb(self, box: Box, slopes: dict[Any, list[Any]]) -> Box:
-        """Return the corner to which the middle slopes point."""
+        """Return the corner in the direction of the middle slopes."""
         for symbol in open_symbols(box):
             box = put_to_limit(box, symbol, upper=float(hull(slopes[symbol]).mid()) > 0)
         return box
 
     def _attain(self, point: Box, inside: bool) -> Any:
-        """Return the value at a point and note it, unless it may lie outside the domain."""
+        """Return the value at a point, and record it unless the point may be outside the domain."""
         value = self.direction * self.problem.tapes[-1].evaluate(to_values(self.known, point))
         if inside or self._holds(point):
             self.attained = max(self.attained, round_down(value))
