@@ -249,7 +249,7 @@ BAD_CALLS = [
         r"= \[1.0\]: .*at least two, not shape \(1,\)",
     ),
     (lambda: evaluate_type_a(1.0), ValueError, r"readings = 1.0: .*not shape \(\)"),
-    (lambda: evaluate_type_a(np.ones((2, 2))), ValueError, r"must have one dimension .*\(2, 2\)"),
+    (lambda: evaluate_type_a(np.ones((2, 2))), ValueError, r"must be one-dimensional .*\(2, 2\)"),
     (lambda: evaluate_type_a([1.0, math.inf]), ValueError, r"readings\[1\] = inf"),
     (lambda: Estimate(0, 1).expand(math.nan), ValueError, "k = nan"),
     (lambda: Estimate(0, 1, unit="mm").in_degrees(), ValueError, "unit = 'mm'"),

@@ -1,4 +1,4 @@
-"""Measured positions in the words of the GUM (JCGM 100).
+"""Measured positions, evaluated as in the GUM (JCGM 100).
 
 Type A evaluation of readings, type B parts, the combined standard uncertainty with its
 effective degrees of freedom, coverage intervals, the propagation of uncertainties through any
@@ -10,8 +10,8 @@ function, the fit of a mechanism to readings, and the two usual ways to print a 
 >>> print(result.expand(2))
 0.68° ± 0.56° (k = 2)
 
-Whoever has readings may import it; it imports NumPy and the kernels, and SciPy inside the functions
-that need it.
+Any code with readings may import it; it imports NumPy and the kernels, and SciPy inside the
+functions that need it.
 """
 
 from mechproof.measurement.estimate import CoverageInterval, Estimate

@@ -1,10 +1,10 @@
 """An estimate with its uncertainty, and the coverage intervals that follow (GUM, JCGM 100).
 
-It is printed with its uncertainty, rounded together (GUM 7.2.2 and 7.2.6): that keeps two
-significant digits and the value is rounded to the same decimal place, half to even, from the
+Value and uncertainty are rounded together when printed (GUM 7.2.2 and 7.2.6). The uncertainty keeps
+two significant digits, and the value is rounded to the same decimal place, half to even, from the
 shortest decimal that reads back as the same double. An uncertainty whose leading digits are 95 or
-more goes up into the next decade (0.096 becomes 0.10, as in the rule of the Particle Data Group):
-at most 5.3 %, where two digits alone cost 4.8 %.
+more is rounded up into the next decade (0.096 becomes 0.10, as in the rule of the Particle Data
+Group). This costs at most 5.3 %; two digits alone cost 4.8 %.
 """
 
 from __future__ import annotations
@@ -72,9 +72,9 @@ class CoverageInterval:
 class Estimate:
     """An estimate with its combined standard uncertainty (GUM 5) and degrees of freedom.
 
-    A NaN uncertainty is one that is not known and makes every interval NaN. A negative or
-    infinite uncertainty and degrees of freedom that are not positive raise ValueError, what is no
-    real number TypeError.
+    A NaN uncertainty is unknown and makes every interval NaN. Raises ValueError for a negative or
+    infinite uncertainty and for degrees of freedom that are not positive, and TypeError for
+    anything but real numbers.
     """
 
     value: float
@@ -106,7 +106,7 @@ class Estimate:
 
     def in_degrees(self) -> Estimate:
         """Return the same estimate in degrees; ValueError unless the unit is "rad"."""
-        require(self.unit == "rad", "unit", self.unit, "only 'rad' can be turned into degrees")
+        require(self.unit == "rad", "unit", self.unit, "must be 'rad' to be converted to degrees")
         value, uncertainty = math.degrees(self.value), math.degrees(self.uncertainty)
         return Estimate(value, uncertainty, self.degrees_of_freedom, "°")
 
@@ -133,7 +133,7 @@ _PLAIN_EXPONENTS = range(-4, 16)
 
 
 class Rounded(NamedTuple):
-    """The texts of value and uncertainty, the latter in last digits too, and the power of ten."""
+    """Texts of value and uncertainty, of the latter in last digits, and of the power of ten."""
 
     value: str
     uncertainty: str
@@ -142,7 +142,7 @@ class Rounded(NamedTuple):
 
 
 def format_shorthand(value: float, uncertainty: float, unit: str = "") -> str:
-    """Return `0.68(28)°`: in brackets the standard uncertainty in units of the last digit."""
+    """Return `0.68(28)°`: the standard uncertainty, in units of the last digit, is in brackets."""
     rounded = round_together(value, uncertainty)
     return f"{rounded.value}({rounded.digits}){rounded.power}{_suffix(unit)}"
 
@@ -157,8 +157,8 @@ def format_expanded(value: float, uncertainty: float, unit: str = "") -> str:
 def round_together(value: float, uncertainty: float) -> Rounded:
     """Round both at the place of the uncertainty's second digit.
 
-    An uncertainty that is zero, and a value or uncertainty that is not finite, give no place
-    to round at: both are then printed as they are.
+    A zero uncertainty, or a value or uncertainty that is not finite, gives no place to round at;
+    both are then printed as they are.
     """
     if uncertainty == 0 or not (math.isfinite(value) and math.isfinite(uncertainty)):
         spread = f"{float(uncertainty):g}"
@@ -193,5 +193,5 @@ def _write(number: Decimal, exponent: int) -> str:
 
 
 def _suffix(unit: str) -> str:
-    # The degree sign is written against the number; every other unit is set off by a space.
+    # The degree sign follows the number directly; every other unit follows a space.
     return unit if unit in ("", "°") else f" {unit}"

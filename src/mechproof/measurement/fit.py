@@ -1,13 +1,12 @@
 """Parameters of a planetary mechanism from readings of the encoders on both shafts.
 
-Least squares of the output's errors, each taken on the nearest turn, with the derivatives of the
-kernels (Gauss and Newton's steps with the trust region of `scipy.optimize.least_squares`). Errors
-on the nearest turn have many minima, so that the starts are searched: over a grid so fine that the
-right one lies within a fraction of a turn of a node. Of several minima that the readings cannot
-tell apart none is returned.
+Least squares of the output's errors, each taken to the nearest turn, with the derivatives of the
+kernels (Gauss-Newton steps with the trust region of `scipy.optimize.least_squares`). Such errors
+have many minima, so starts are searched over a grid so fine that the right one lies within a
+fraction of a turn of a node. If the readings cannot tell several minima apart, none is returned.
 
-What is identifiable: positions know radii by their quotient alone, and two oval pairs by the one
-pair that moves alike (e2 with e1 = mount = 0).
+What is identifiable: positions determine only the quotient of radii and, for two oval pairs, only
+the single pair that moves alike (e2 with e1 = mount = 0).
 """
 
 from __future__ import annotations
@@ -25,15 +24,15 @@ from mechproof.arguments.scalars import check_not_negative, refuse, require
 from mechproof.measurement.estimate import Estimate
 from mechproof.measurement.fitted_models import MODELS, ZEROS, FittingProblem, Floats, Minimum
 
-# Columns that depend on each other to this are not told apart by any readings.
+# Beyond this condition number, no readings tell the parameters apart.
 LARGEST_CONDITION = 1e7
-# Root mean square of errors on the nearest turn (rad): without any law it is pi/sqrt(3) = 1.8.
+# Root mean square of errors to the nearest turn (rad): if they are random, it is pi/sqrt(3) = 1.8.
 LARGEST_ERROR = 0.5
-# Minima whose sums of squares differ by fewer variances are not told apart: of 25, 5 sigma.
+# Minima whose sums of squares differ by fewer variances are not told apart: 25 is 5 sigma.
 CLEARANCE = 25.0
-# Least squares leave no less of what fits exactly (rad, per radian of the carrier).
+# What least squares leave even of an exact fit (rad, per radian of the carrier).
 SHARPEST = 1e-9
-# Parameters of two minima that are nearer, relative to 1 and to themselves, are the same.
+# Minima are the same if their parameters are closer than this, relative to 1 and to themselves.
 SAME = 0.01
 
 
@@ -41,10 +40,10 @@ SAME = 0.01
 class Fit:
     """Estimates of parameters with their covariance matrix, in the order of `names`.
 
-    `sensitivities` are the derivatives of every reading by the parameters, `residuals` the errors
-    left (rad). `standard_deviation` is that of one reading, from the residuals or as stated;
-    `condition` the condition number of the sensitivities, each scaled to norm 1: near 1 all is
-    told apart, with 10**n some parameters are known n digits less well together than each alone.
+    `sensitivities` are the derivatives of every reading with respect to the parameters, `residuals`
+    the remaining errors (rad). `standard_deviation` is that of one reading, from the residuals or
+    as stated. `condition` is the condition number of the sensitivities, each scaled to norm 1: near
+    1 all is told apart; at 10**n some parameters are known n digits less well together than alone.
     """
 
     names: tuple[str, ...]
@@ -76,7 +75,7 @@ class Fit:
         return {(self.names[i], self.names[j]): float(matrix[i, j]) for i, j in pairs}
 
     def __str__(self) -> str:
-        """Print a parameter a line in the notation of the GUM, and what the readings scatter."""
+        """Print one parameter per line in the notation of the GUM, and the readings' scatter."""
         lines = [f"{name} = {estimate}" for name, estimate in self.estimates.items()]
         scatter = f"readings scatter by {self.standard_deviation:.2g} rad"
         return "\n".join([*lines, f"{scatter}, condition {self.condition:.3g}"])
@@ -100,25 +99,25 @@ def fit(
         `position_cylindrical` of `oval_planetary` (e2; R4/R5 and e2). Radii, and the
         eccentricities of two oval pairs, cannot be told apart: give one, and the other follows.
     phi1, measured
-        Readings of the carrier's encoder, every turn counted, and of the output's, on any turn
+        Readings of the carrier's encoder, with every turn counted, and of the output's, on any turn
         (rad); one-dimensional, of the same length. Pairs with a NaN raise ValueError.
     ratio
-        Between what the quotient of radii is searched.
+        Range in which the quotient of radii is sought.
     uncertainty
-        Standard uncertainty of one reading (rad), where it is known; left out, it is estimated
-        from the residuals.
+        Standard uncertainty of one reading (rad), if known; by default it is estimated from the
+        residuals.
     zeros
-        Whether the encoders' zeros are fitted, too; else both are those of the mechanism.
+        Whether to fit the encoders' zeros, too; otherwise both are those of the mechanism.
 
     Raises
     ------
     TypeError, ValueError
-        Names the argument. ValueError also where no parameters explain the readings, where
-        several sets explain them alike, and where they do not determine the parameters.
+        Names the argument. ValueError also if no parameters explain the readings, if several sets
+        explain them equally, or if the readings do not determine the parameters.
 
     Notes
     -----
-    The carrier's zero is determined to whole periods, and chosen next to 0; the output's to turns.
+    The carrier's zero is determined to whole periods and chosen next to 0; the output's, to turns.
 
     """
     known = ", ".join(f"{f.__module__}.{f.__name__}" for f in MODELS)
@@ -136,16 +135,16 @@ def fit(
 
 
 def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float | None) -> Fit:
-    """Return the least minimum; ValueError unless it is the only one, small, and sharp."""
+    """Return the lowest minimum; ValueError unless it is unique, small, and sharp."""
     best, count = minima[0], problem.angles.size
     error = math.sqrt(best.square / count)
     if not error <= LARGEST_ERROR:
-        text = f"best of all starts are errors of {error:.2g} rad in the root mean square"
+        text = f"the best of all starts leaves a root-mean-square error of {error:.2g} rad"
         text = f"no parameters in these ranges explain it, in radians: {text}"
         refuse("measured", problem.readings, text)
     freedom = count - len(problem.names)
     deviation = math.sqrt(best.square / freedom) if uncertainty is None else uncertainty
-    # Readings without scatter still leave what the steps of least squares do.
+    # Even readings without scatter leave the rest that least squares do.
     noise = max(deviation, SHARPEST * (1 + np.abs(problem.angles).max()))
     for other in minima[1:]:
         apart = np.abs(other.sizes - best.sizes) > SAME * np.maximum(1, np.abs(best.sizes))
@@ -160,7 +159,7 @@ def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float
     condition = float(np.linalg.cond(scaled)) if np.isfinite(scaled).all() else math.inf
     if not condition <= LARGEST_CONDITION:
         text = f"the readings do not determine {', '.join(problem.names)} together"
-        zeros = "; with e = 0 the zeros of both encoders are one" if problem.zeros else ""
+        zeros = "; with e = 0 the zeros of both encoders are the same" if problem.zeros else ""
         refuse("phi1", problem.angles, f"{text} (condition {condition:.2g}){zeros}")
     inverse = np.linalg.inv(scaled.T @ scaled) / np.outer(norms, norms)
     return Fit(

@@ -1,4 +1,4 @@
-"""What is fitted to readings of encoders: models, their errors and derivatives, and the starts."""
+"""Models that are fitted to encoder readings, their errors and derivatives, and the starts."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from mechproof.kernels import elliptic_planetary, oval_planetary
 from mechproof.measurement.uncertainty import wrap_angle
 
 Floats = NDArray[np.float64]
-# The zeros of the encoders: what they read where the mechanism is at its own zero.
+# The zeros of the encoders: their readings where the mechanism is at its own zero.
 ZEROS = ("phi1_zero", "phi3_zero")
-# Eccentricities and, in parts of a period, zeros of the carrier at which starts are tried.
+# Eccentricities tried as starts, and the number of carrier zeros tried in a period.
 ECCENTRICITIES = (0.05, 0.25, 0.45, 0.65, 0.8, 0.9, 0.96)
 PARTS = 12
 _ECCENTRICITIES = np.array(ECCENTRICITIES)[:, None, None]
-# Starts that are refined, and readings that choose them: those of so many turns, at most so many.
+# Number of starts refined; turns of the readings that choose them, and most such readings.
 REFINED, TURNS, CHOSEN = 12, 4, 200
-# Beyond it the kernels' derivatives grow without bounds.
+# Beyond this, the kernels' derivatives grow without bound.
 FLATTEST = 1 - 1e-6
 
 
 class FittedModel(NamedTuple):
     """How a position function is fitted.
 
-    `fixed` are arguments that positions do not determine, `fitted` the names of those that they
-    do; `speed` is by how much the period of the carrier is shorter than 2 pi, per unit of ratio.
+    `fixed` holds arguments that positions do not determine, `fitted` the names of those they do.
+    `speed` is how many times shorter than 2 pi the period of the carrier is, per unit of ratio.
     """
 
     fixed: Mapping[str, float]
@@ -52,7 +52,7 @@ MODELS: Mapping[Callable[..., Any], FittedModel] = MappingProxyType(
 
 
 class Minimum(NamedTuple):
-    """Parameters, those of them that are sizes, and the sum of squared errors there."""
+    """Parameters, the sizes among them, and the sum of squared errors there."""
 
     values: Floats
     sizes: Floats
@@ -91,7 +91,7 @@ class FittingProblem:
         return np.stack(columns, axis=-1)
 
     def find_minima(self, lowest: float, highest: float) -> Iterator[Minimum]:
-        """Refine the best starts, on more and more of the turns."""
+        """Refine the best starts on more and more turns."""
         for start in self._choose_starts(max(lowest, self.model.least), highest):
             values = start
             for chosen in self._list_windows():
@@ -116,7 +116,7 @@ class FittingProblem:
 
         count = len(self.model.fitted)
         lower, upper = np.full(start.shape, -np.inf), np.full(start.shape, np.inf)
-        # The quotient comes before the eccentricity; next to its least the domain is open.
+        # The quotient comes before the eccentricity; its domain is open at its least value.
         lower[: count - 1] = np.nextafter(self.model.least, np.inf)
         lower[count - 1], upper[count - 1] = 0.0, FLATTEST
         found = least_squares(
@@ -130,7 +130,7 @@ class FittingProblem:
         return values
 
     def _list_windows(self) -> Iterator[NDArray[np.bool_]]:
-        """List which readings count: those of a few turns, of twice as many, of all."""
+        """List the readings to use: those of a few turns, of twice as many, and so on to all."""
         run = self.angles - self.angles.min()
         turns = 2 * math.pi * TURNS
         while np.count_nonzero(run <= turns) < min(run.size, 10 * len(self.names)):
@@ -142,14 +142,14 @@ class FittingProblem:
             turns *= 2
 
     def _choose_starts(self, lowest: float, highest: float) -> list[Floats]:
-        """Choose the nodes of a grid where the errors agree best, over all zeros of the output."""
+        """Choose the grid nodes where the errors agree best, over all zeros of the output."""
         inside = np.flatnonzero(next(self._list_windows()))
         if inside.size > CHOSEN:
             inside = np.random.default_rng(1).choice(inside, CHOSEN, replace=False)
         run = float(np.ptp(self.angles[inside]))
         ratios: Any = [()]
         if len(self.model.fitted) > 1:
-            # From node to node the calculated angles part by less than half a radian.
+            # From node to node, the calculated angles change by less than half a radian.
             count = max(2, math.ceil((highest - lowest) * (run + 1) * self.model.speed))
             ratios = np.linspace(lowest, highest, count + 2)[1:-1, None]
         found = [self._try(tuple(ratio), inside) for ratio in ratios]
@@ -162,7 +162,7 @@ class FittingProblem:
         return [values for _, values in best[:REFINED]]
 
     def _try(self, ratio: tuple[float, ...], inside: Any) -> list[tuple[float, Floats]]:
-        """Return the agreement at a ratio, 1 for all errors alike, and where it is best."""
+        """Return the best agreement at a ratio, 1 if all errors are equal, and where it is."""
         period = 2 * math.pi / (self.model.speed * (ratio[0] if ratio else 1.0))
         zeros = period / PARTS * np.arange(PARTS) if self.zeros else np.zeros(1)
         sizes = dict(zip(self.model.fitted.values(), (*ratio, _ECCENTRICITIES), strict=True))
@@ -188,7 +188,7 @@ class FittingProblem:
         ]
 
     def _normalise(self, values: Floats) -> Floats:
-        """Take whole periods off the carrier's zero, and turns off the output's."""
+        """Subtract whole periods from the carrier's zero, and turns from the output's."""
         if not self.zeros:
             return values
         ratio = values[0] if len(self.model.fitted) > 1 else 1.0

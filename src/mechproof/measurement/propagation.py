@@ -1,8 +1,8 @@
-"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2), of `ufloat`s, too.
+"""The law of propagation of uncertainty (JCGM 100, 5.1 and 5.2), also for `ufloat`s.
 
-It is of the first order. The propagation of distributions (JCGM 101) samples: for sizes that
-scatter `tolerance.monte_carlo_range` does, and bounds of what a quantity can be are
-`certified_range`.
+It is of first order. The propagation of distributions (JCGM 101) samples, as
+`tolerance.monte_carlo_range` does for sizes that scatter; `certified_range` bounds the values that
+a quantity can take.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ NONE: Correlations = MappingProxyType({})
 
 @dataclass(frozen=True, eq=False)
 class Propagation:
-    """What uncertain inputs make of a value; of an array, at every point.
+    """A value computed from uncertain inputs; for an array, at every point.
 
     `sensitivities` are the coefficients c_i = d f/d x_i at the estimates, `correlations` the
-    coefficients between inputs that are correlated.
+    coefficients of correlated inputs.
     """
 
     value: Any
@@ -59,14 +59,14 @@ class Propagation:
         names, signed = list(self.inputs), np.stack(np.broadcast_arrays(*self._signed.values()))
         matrix = to_matrix(names, self.correlations)
         square = np.einsum("i...,ij,j...->...", signed, matrix, signed)
-        # A rounding may make less than nothing of what is fully correlated.
+        # With full correlation, rounding may make the sum negative.
         return np.sqrt(np.maximum(square, 0.0))[()]
 
     @property
     def degrees_of_freedom(self) -> Any:
         """Return the effective degrees of freedom (GUM G.4.1).
 
-        NaN, unknown, where an input that is correlated has a finite number of them.
+        NaN, unknown, if a correlated input has a finite number of them.
         """
         finite = {n: x for n, x in self.inputs.items() if math.isfinite(x.degrees_of_freedom)}
         if not finite:
@@ -81,7 +81,7 @@ class Propagation:
     @property
     def estimate(self) -> Estimate:
         """Return value and uncertainty; ValueError for an array."""
-        require(np.ndim(self.value) == 0, "estimate", self.value, "is of one value, not of many")
+        require(np.ndim(self.value) == 0, "estimate", self.value, "must be one value, not many")
         value, uncertainty = float(self.value), float(self.uncertainty)
         return Estimate(value, uncertainty, float(self.degrees_of_freedom), self.unit)
 
@@ -113,21 +113,21 @@ def propagate(
     Parameters
     ----------
     function
-        Called by the names of `inputs`, with arrays. For a kernel of `mechproof.kernels` the
-        sensitivity coefficients are those of its derivatives' kernel; of any other function each
-        is (f(x + u) - f(x - u))/(2 u), the other inputs at their estimates (GUM 5.1.3, note 2).
+        Called with the `inputs` by name, as arrays. For a kernel of `mechproof.kernels`, the
+        sensitivity coefficients come from its kernel of derivatives; for other functions, each is
+        (f(x + u) - f(x - u))/(2 u), the other inputs at their estimates (GUM 5.1.3, note 2).
     inputs
-        Name and an `Estimate`, a `ufloat` of the package uncertainties, or what is exact: a number
-        or an array. Correlations between ufloats are taken over.
+        Names, each with an `Estimate`, a `ufloat` of the package uncertainties, or an exact number
+        or array. Correlations between ufloats are kept.
     correlations
         Pairs of names and their correlation coefficients, between -1 and 1; others are zero.
     unit
-        Of the result.
+        Unit of the result.
 
     Raises
     ------
     TypeError, ValueError
-        Names the input; also where the coefficients are those of no quantities together.
+        Names the input; also if the coefficients are impossible together.
 
     """
     check_function("function", function)
@@ -135,7 +135,7 @@ def propagate(
     check_mapping("inputs", inputs, "must map names to Estimates and numbers")
     given = {name: _read(f"inputs[{name!r}]", value) for name, value in inputs.items()}
     uncertain = {name: value for name, value in given.items() if isinstance(value, Estimate)}
-    require(uncertain, "inputs", sorted(given), "none of them is uncertain")
+    require(uncertain, "inputs", sorted(given), "at least one must be uncertain")
     known = {**read_correlations(inputs), **_check_correlations(correlations, uncertain)}
     points = {n: x.value if isinstance(x, Estimate) else x for n, x in given.items()}
     slopes = differentiate(function, points)
@@ -187,24 +187,24 @@ def _check_correlations(
         require(-1 <= number <= 1, where, coefficient, "must lie between -1 and 1")
         found[one, other] = number
     least = np.linalg.eigvalsh(to_matrix(list(uncertain), found)).min()
-    # Roundings of the eigenvalues are a few eps of their sum.
-    allowed = "no quantities have these coefficients together (a negative eigenvalue)"
+    # Rounding errors of the eigenvalues are a few eps of their sum.
+    allowed = "must be possible together (their matrix has a negative eigenvalue)"
     require(least > -1e-12 * len(uncertain), "correlations", correlations, allowed)
     return found
 
 
 def is_uncertain(value: Any) -> bool:
-    """Return whether a value is a ufloat, or a function of some; without importing the package."""
+    """Return whether a value is a ufloat or a function of some, without importing the package."""
     return hasattr(value, "nominal_value") and hasattr(value, "std_dev")
 
 
 def read_uncertain(value: Any) -> Estimate:
-    """Return the estimate that a ufloat is; its degrees of freedom count as infinite."""
+    """Return a ufloat as an estimate; its degrees of freedom count as infinite."""
     return Estimate(float(value.nominal_value), float(value.std_dev))
 
 
 def read_correlations(inputs: Mapping[str, Any]) -> dict[tuple[str, str], float]:
-    """Return the correlation coefficients of the ufloats among inputs, those that are not zero."""
+    """Return the nonzero correlation coefficients of the ufloats among the inputs."""
     names = [name for name, value in inputs.items() if is_uncertain(value) and value.std_dev]
     if len(names) < 2:
         return {}
@@ -214,7 +214,7 @@ def read_correlations(inputs: Mapping[str, Any]) -> dict[tuple[str, str], float]
 
 
 def to_ufloat(estimate: Estimate) -> Any:
-    """Return the ufloat of an estimate, a new variable; ImportError without the package."""
+    """Return an estimate as a ufloat, a new variable; ImportError without the package."""
     is_estimate = isinstance(estimate, Estimate)
     require(is_estimate, "estimate", estimate, "must be an Estimate", TypeError)
     return _load().ufloat(estimate.value, estimate.uncertainty)

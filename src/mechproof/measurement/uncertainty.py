@@ -1,6 +1,6 @@
 """Type A and type B evaluation of measurements, and their combination (GUM, JCGM 100).
 
-So are errors of a measured output angle against a mechanism evaluated.
+Errors of a measured output angle, relative to a mechanism, are evaluated likewise.
 """
 
 from __future__ import annotations
@@ -68,13 +68,13 @@ class TypeB:
 
     @classmethod
     def rectangular(cls, half_width: float) -> TypeB:
-        """Return the part of an error that lies anywhere within ± half_width (GUM 4.3.7)."""
+        """Return the part due to an error anywhere within ± half_width (GUM 4.3.7)."""
         check_not_negative("half_width", half_width)
         return cls(half_width / math.sqrt(3))
 
     @classmethod
     def from_resolution(cls, resolution: float) -> TypeB:
-        """Return the part of an indication with this step: resolution/√12 (GUM F.2.2.1)."""
+        """Return the part due to an indication with this step: resolution/√12 (GUM F.2.2.1)."""
         check_not_negative("resolution", resolution)
         return cls(resolution / math.sqrt(12))
 
@@ -100,7 +100,7 @@ def evaluate_type_a(readings: ArrayLike) -> TypeA:
 
 def _as_readings(readings: ArrayLike) -> NDArray[np.float64]:
     values = check_array("readings", readings)
-    allowed = f"must have one dimension of at least two, not shape {values.shape}"
+    allowed = f"must be one-dimensional with at least two readings, not shape {values.shape}"
     require(values.ndim == 1 and values.size >= 2, "readings", readings, allowed)
     if np.isinf(values).any():
         index = int(np.argmax(np.isinf(values)))
@@ -119,7 +119,7 @@ def _root_mean_square(deviations: NDArray[np.float64], divisor: int) -> float:
 def combine(type_a: TypeA, *type_b: TypeB, unit: str = "") -> Estimate:
     """Combine the readings' mean with type B parts that all add to it with weight one.
 
-    The uncertainties add in squares (GUM 5.1.2, independent parts); the effective degrees of
+    The uncertainties add in quadrature (GUM 5.1.2, independent parts); the effective degrees of
     freedom follow Welch and Satterthwaite (GUM G.4.1). Where every part is zero, the
     degrees of freedom are the smallest of the parts'.
     """
@@ -191,7 +191,7 @@ def evaluate_position_errors(
     Errors known only to a whole turn have a mean only if they keep within half a turn of
     each other; a wider spread (a wrong zero of the encoder, a lost turn of phi1) raises ValueError.
     """
-    parts = check_items("type_b", type_b, None, "must be any number of TypeB")
+    parts = check_items("type_b", type_b, None, "must be an iterable of TypeB")
     errors = position_errors(mechanism, phi1, measured)
     result = evaluate_type_a(errors)
     spread = np.ptp(errors)
