@@ -184,15 +184,15 @@ def test_drives_that_always_or_never_dwell() -> None:
     assert small.longest_dwell(eta="0.1") == (-math.inf, math.inf)
     fast = OvalPlanetary(CylindricalPair(50, 10), "0.1")
     assert np.isnan(fast.longest_dwell(eta="0.1")).all()
-    with pytest.raises(ValueError, match=r"band = 0\.7: must be below half of what the output"):
+    with pytest.raises(ValueError, match=r"band = 0\.7: must be below half the output's advance"):
         OvalPlanetary(CylindricalPair(30, 20), "0.2").longest_dwell(band=0.7)
 
 
 @pytest.mark.parametrize(
     ("given", "error", "message"),
     [
-        ({}, TypeError, "band = None: give it or eta"),
-        ({"eta": "0.1", "band": 0.1}, TypeError, "band = 0.1: give it or eta"),
+        ({}, TypeError, "band = None: give exactly one of band and eta"),
+        ({"eta": "0.1", "band": 0.1}, TypeError, "band = 0.1: give exactly one of band and eta"),
         ({"eta": 0}, ValueError, "eta = 0: must be above 0"),
         ({"eta": 1.0}, ValueError, "eta = 1.0: must be above 0 and below 1"),
         ({"band": -0.1}, ValueError, "band = -0.1"),

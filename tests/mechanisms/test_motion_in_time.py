@@ -67,9 +67,9 @@ def test_shapes_nan_and_what_is_refused() -> None:
     assert [part.shape for part in found] == [(3, 2)] * 4
     assert np.isnan(found.speed[:, 1]).all()
     assert not np.isnan(found.angle).any()
-    with pytest.raises(TypeError, match="give it or speed_rpm"):
+    with pytest.raises(TypeError, match="give exactly one of speed and speed_rpm"):
         drive.at(0.0)
-    with pytest.raises(TypeError, match="give it or speed_rpm"):
+    with pytest.raises(TypeError, match="give exactly one of speed and speed_rpm"):
         drive.at(0.0, 1.0, speed_rpm=2.0)
     with pytest.raises(TypeError, match="speed = '1'"):
         drive.at(0.0, "1")  # type: ignore[arg-type]
@@ -118,10 +118,10 @@ def test_a_function_has_no_derivative_where_it_has_a_corner_or_is_nan() -> None:
 @pytest.mark.parametrize(
     ("t", "phi1", "message"),
     [
-        (np.arange(5.0), np.arange(5.0), "t = .*: must be 6 or more in a row"),
+        (np.arange(5.0), np.arange(5.0), "t = .*: must be 6 or more on one axis"),
         (np.arange(6.0), np.arange(7.0), "phi1 = .*: must be as many as the times, 6"),
-        (np.arange(6.0)[::-1], np.arange(6.0), "t = .*: must be finite and rise"),
-        ([0, 1, 1, 2, 3, 4], np.arange(6.0), "t = .*: must be finite and rise"),
+        (np.arange(6.0)[::-1], np.arange(6.0), "t = .*: must be finite and increase"),
+        ([0, 1, 1, 2, 3, 4], np.arange(6.0), "t = .*: must be finite and increase"),
         (np.arange(6.0), [0, 1, 2, np.nan, 4, 5], "phi1 = .*: must be finite"),
         (np.arange(6.0), lambda t: 1.0, r"phi1\(t\) = .*: must have the shape \(6,\) of t"),
     ],

@@ -127,7 +127,7 @@ def test_floats_need_a_stated_limit() -> None:
         OvalPlanetary(CylindricalPair(30, 20), 0.2),
         OvalPlanetary(OvalPair("0.2", 0.1), "0.2"),
     ):
-        with pytest.raises(ValueError, match="eta = None: must be stated"):
+        with pytest.raises(ValueError, match="eta = None: must be given"):
             mechanism.classify()
 
 

@@ -209,14 +209,14 @@ def test_the_coarsest_grade_has_the_risk_and_the_next_has_not() -> None:
             "scale_gauge",
             {"producer_risk": 0.1},
             ValueError,
-            "thickness = Normal.*: and height have no error to be scaled",
+            "thickness = Normal.*: it or height must have an error to scale",
         ),
         (
             inspect(Normal(0.0, [0.001, 0.002])),
             "acceptance_limits",
             {"producer_risk": 0.1},
             ValueError,
-            r"producer_risk = array.*: is wanted of one set",
+            r"producer_risk = array.*: must be of one set",
         ),
         (
             inspect(FIXED, FIXED, true=FIXED),

@@ -1,8 +1,8 @@
 """Planetary mechanism with an internal cylindrical mesh and an external elliptical pair.
 
-Angles are in radians, positive in the direction of the carrier's rotation, and count every turn;
-with `degrees=True` they are in degrees, as arguments and as results, and so are those that results
-are derived by. Quantities of pint are taken and given back in their units.
+Angles are in radians, positive in the direction of the carrier's rotation, and count every turn.
+With `degrees=True`, arguments and results are in degrees, and derivatives are with respect to
+degrees. pint quantities are accepted and returned in their units.
 
 >>> from mechproof import EllipticPlanetary
 >>> mechanism = EllipticPlanetary.published(2)
@@ -82,16 +82,16 @@ class EllipticPlanetary(Drive):
         R1: float | None = None,
         R2: float | None = None,
     ) -> EllipticPlanetary:
-        """Return the mechanism whose ratio is as wanted.
+        """Return the mechanism with the wanted ratio.
 
         Parameters
         ----------
         largest_ratio, smallest_ratio : float
-            Extremes of the ratio: one of them, or both, from which R1/R2 follows.
+            Extremes of the ratio: one of them, or both, which determine R1/R2.
         quotient : float
-            Instead: the largest ratio over the smallest.
+            Alternative: the largest ratio over the smallest.
         non_uniformity : float
-            Instead: (largest - smallest)/mean of the ratio.
+            Alternative: (largest - smallest)/mean of the ratio.
         k : float
             R1/R2, above 1. With k alone, or with both extremes alone, R2 is 1 mm: ratios and
             angles depend on R1/R2 only.
@@ -101,13 +101,13 @@ class EllipticPlanetary(Drive):
         Raises
         ------
         TypeError
-            If what is given is too little or too much, or no real number.
+            If too few or too many parameters are given, or one is not a real number.
         ValueError
-            If what is wanted is out of reach; the message names the reachable range.
+            If the wanted ratio is out of reach; the message names the reachable range.
 
         Notes
         -----
-        The eccentricity is the only one: in closed form, by the kernels `eccentricity_of_...`,
+        The eccentricity is unique, and given in closed form by the kernels `eccentricity_of_...`,
         within 2 to 9 eps.
 
         """
@@ -133,12 +133,12 @@ class EllipticPlanetary(Drive):
         """Return the largest and the smallest value in closed form, and where they occur.
 
         The ratio is largest where the satellite has made whole turns relative to the carrier, and
-        smallest half a turn later; the acceleration is smallest after a largest ratio and largest
-        as far before it; the jerk is smallest at a largest ratio and largest to both sides of it,
-        from e = 5 - 2*sqrt(6) down half a period away. With e = 0 the ratio is constant. By the
-        carrier's speed w times the ratio, w² times the acceleration and w³ times the jerk.
+        smallest half a turn later. The acceleration is smallest after a largest ratio, and largest
+        as far before it. The jerk is smallest at a largest ratio and largest on both sides of it;
+        from e = 5 - 2*sqrt(6) down, half a period away. With e = 0, the ratio is constant. At a
+        carrier speed w, the ratio is multiplied by w, the acceleration by w² and the jerk by w³.
 
-        Raises ValueError for another name.
+        Raises ValueError for any other name.
         """
         sizes = self.R1, self.R2, self.e
         period = 2 * math.pi / self.radius_ratio
@@ -172,22 +172,22 @@ class EllipticPlanetary(Drive):
         Returns
         -------
         ndarray or NumPy scalar
-            phi1 (rad); NaN where `phi3` is not finite. The position function rises everywhere,
+            phi1 (rad); NaN where `phi3` is not finite. The position function increases everywhere,
             so there is exactly one. A mask or an index is kept.
 
         Raises
         ------
         TypeError
-            If `phi3` is complex, not numeric or no angle.
+            If `phi3` is complex, not numeric or not an angle.
 
         Notes
         -----
-        position(phi1) is inverted in its bracket: with delta = position - (1 + k)*phi1,
+        position(phi1) is inverted within a bracket: with delta = position - (1 + k)*phi1,
         |delta| <= 2*asin(e), and position/phi1 lies between the extremes of the ratio.
 
         Accuracy held by the tests, where R1/R2*|phi1| <= 2**25, for every e: the exact position at
-        phi1 misses phi3 by at most 11*eps*|phi3| (5.5 eps of the position kernel, twice) and what
-        the step to a neighbour of phi1 makes of the position.
+        phi1 differs from phi3 by at most 11*eps*|phi3| (5.5 eps of the position kernel, twice) plus
+        the change of position from phi1 to a neighbouring double.
 
         """
         units = Units(degrees)
@@ -269,15 +269,15 @@ def _find_eccentricity(name: str, value: float, r1: float, r2: float) -> float:
     kernel = getattr(kernels, f"eccentricity_of_{name}")
     e = float(kernel(value, r1, r2))
     if not e > 0:
-        # A wish next to that of e = 0 may lie outside the kernel's domain by a rounding; squares
-        # of one far away leave the range of doubles, as e nears 1.
+        # A wanted value close to that of e = 0 may leave the kernel's domain by rounding; the
+        # squares of one far from it overflow, as e nears 1.
         plain = {"quotient": 1.0, "non_uniformity": 0.0}.get(name, uniform)
         e = 0.0 if abs(value - plain) <= 4 * EPS * uniform else 1.0
     return _check_below_one(name, value, e)
 
 
 def _check_below_one(name: str, value: float, e: float) -> float:
-    """Return e, which is below 1 unless it is rounded to 1."""
+    """Return e, or raise ValueError if it is rounded to 1."""
     if not 0 <= e < 1:
-        refuse(name, value, f"needs an eccentricity so near to 1 that a double is {e!r}")
+        refuse(name, value, f"needs an eccentricity so near to 1 that it rounds to {e!r}")
     return e

@@ -1,9 +1,9 @@
-"""The inverse of a rising function, to the last bit: a bracket is closed between neighbours.
+"""The inverse of an increasing function, to the last bit: a bracket shrinks to two neighbours.
 
-Doubles are counted in their order, so that a bracket of any width holds less than 2**64 of them
-and a steep place, where the function runs through much of its range within one, is no exception.
-Each step is one of ITP (Oliveira and Takahashi 2020): interpolation, pushed towards the middle
-and kept so near to it that at most a step more than by halving the count is needed.
+Doubles are numbered in order, so that a bracket of any width holds less than 2**64 of them. A steep
+part, where the function covers much of its range within one, is no exception. Each step is an ITP
+step (Oliveira and Takahashi 2020): interpolation, pushed towards the middle and kept so near to it
+that at most one step more than by bisection of the count is needed.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ Floats = NDArray[np.float64]
 Orders = NDArray[np.int64]
 
 LARGEST = np.finfo(np.float64).max
-# A bracket that is known of the exact function is widened for the computed one by this relative
-# amount: twice the accuracy bound of the position kernels, 5.5 and 7 eps, and the rounding of the
-# bracket, some ten operations of half an eps.
+# A bracket for the exact function is widened for the computed one by this relative amount: twice
+# the accuracy bound of the position kernels, 5.5 and 7 eps, plus the rounding of the bracket, some
+# ten operations of half an eps.
 WIDENING = 20 * np.finfo(float).eps
 # An angle may be subnormal where the value is not; there the widening is absolute.
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
-# The push towards the middle, as a part of the bracket's square over the first one.
+# The push towards the middle, as a share of the bracket's squared width over the first width.
 PUSH = 0.2
 
 
@@ -36,14 +36,14 @@ def invert(
 ) -> Floats:
     """Solve function(x) = wanted for x between `low` and `high`, arrays of one shape.
 
-    Of the neighbouring doubles between which the computed function passes `wanted`, the one whose
-    value is nearer. The function must rise; the interval is cut off at the largest doubles.
+    Return, of the neighbouring doubles between which the computed function passes `wanted`, that of
+    the nearer value. The function must increase; the interval ends at the largest doubles.
 
     Raises
     ------
     ArithmeticError
-        `failure` and the values of `wanted` that those of the function do not enclose: at the
-        ends, or where it is NaN.
+        With `failure` and the values of `wanted` that the function's values at the ends do not
+        enclose, or where it is NaN.
 
     """
     target = np.ravel(wanted)
@@ -73,8 +73,8 @@ def invert(
 def invert_odd(name: str, given: Any, solve: Callable[[Floats], Any]) -> Any:
     """Invert an odd function at angles of any number of turns; NaN where they are not finite.
 
-    `solve` returns where the function has values, which are positive and finite. A mask or an
-    index is kept, and so is the type of the floats. Raises TypeError for `given`, called `name`.
+    `solve` inverts the function at positive, finite values. A mask or an index is kept, and so is
+    the type of the floats. A TypeError calls `given` by `name`.
     """
     (angles,) = as_floats(name, given)
     target = np.asarray(angles)

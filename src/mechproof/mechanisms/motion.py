@@ -1,6 +1,6 @@
-"""The motion of an output in time: its angle and the derivatives, by the chain rule.
+"""The motion of an output in time: its angle and derivatives, by the chain rule.
 
-Those of the carrier are taken of samples or of a function.
+The carrier's derivatives are taken from samples or from a function.
 
 >>> import math
 >>> from mechproof import EllipticPlanetary
@@ -29,7 +29,7 @@ from mechproof.mechanisms.units import Units, is_quantity
 from mechproof.tools.notebook import Displayed
 
 Floats = NDArray[np.float64]
-# Of a turn per minute.
+# One turn per minute in each unit.
 RAD_PER_S, DEGREES_PER_S = math.tau / 60, 6.0
 
 
@@ -100,7 +100,7 @@ class Drive(Displayed):
         speed_rpm: ArrayLike | None = None,
         degrees: bool = False,
     ) -> Motion:
-        """Return the motion of the output while the carrier is at phi1 and moves so.
+        """Return the motion of the output for the given position and motion of the carrier.
 
         Parameters
         ----------
@@ -109,33 +109,34 @@ class Drive(Displayed):
         speed : array_like
             Speed of the carrier (rad/s).
         acceleration, jerk : array_like, optional
-            Of the carrier (rad/s², rad/s³), zero if left out.
+            Of the carrier (rad/s², rad/s³), zero by default.
         speed_rpm : array_like
-            Instead of `speed`: turns of the carrier per minute.
+            Turns of the carrier per minute, instead of `speed`.
         degrees : bool
-            Whether all angles, those of speeds among them, are in degrees.
+            Whether all angles, including those in speeds, are in degrees.
 
         Returns
         -------
         Motion
-            Of the output, of the shape to which the arguments broadcast; NaN where one is NaN.
+            That of the output, in the broadcast shape of the arguments; NaN where one is NaN.
 
         Raises
         ------
         TypeError, ValueError
-            If not exactly one speed is given, or an argument is no array of real numbers or has
-            another dimension.
+            If not exactly one speed is given, or an argument is not an array of real numbers or has
+            the wrong dimension.
 
         Notes
         -----
-        With i, a and j the ratio and its derivatives by phi1, and w, w', w'' those of the carrier
-        by time: speed i w, acceleration i w' + a w², jerk i w'' + 3 a w w' + j w³. Each term has
-        the accuracy of its kernel and a rounding for each product; what is left of terms that
-        cancel is relative to the largest.
+        With i, a, j the ratio and its derivatives by phi1, and w, w', w'' the carrier's speed and
+        its derivatives by time: speed i w, acceleration i w' + a w², jerk i w'' + 3 a w w' + j w³.
+        Each term has the accuracy of its kernel plus a rounding for each product; where terms
+        cancel, the error is relative to the largest.
 
         """
         if (speed is None) == (speed_rpm is None):
-            refuse("speed", speed, f"give it or speed_rpm, which is {speed_rpm!r}", TypeError)
+            allowed = f"give exactly one of speed and speed_rpm = {speed_rpm!r}"
+            refuse("speed", speed, allowed, TypeError)
         units = Units(degrees)
         if speed is None:
             speed = check_array("speed_rpm", speed_rpm) * (DEGREES_PER_S if degrees else RAD_PER_S)
@@ -158,33 +159,33 @@ class Drive(Displayed):
         Parameters
         ----------
         t : array_like
-            Times (s). With samples: one axis, rising, six or more.
+            Times (s). For samples: one axis, increasing, six or more.
         phi1 : array_like or function
-            Carrier angles (rad): samples at `t`, through which a spline of the fifth degree is
-            laid, or a function of an array of times (s) that returns an array of its shape.
+            Carrier angles (rad): samples at `t`, interpolated by a quintic spline, or a function of
+            an array of times (s) that returns an array of the same shape.
         degrees : bool
-            Whether all angles, those of speeds among them, are in degrees.
+            Whether all angles, including those in speeds, are in degrees.
 
         Returns
         -------
         Motion
-            Of the output at `t`. NaN where a function is, and where it has no such derivative or
+            That of the output at `t`. NaN where a function is NaN, or has no such derivative, or
             none that could be found to 1e-6 of its largest, or of 1 rad/s, 1 rad/s², 1 rad/s³.
 
         Raises
         ------
         TypeError, ValueError
-            If `t` or `phi1` is no array of real numbers, or the samples are too few, do not rise
-            in time, are not finite or not as many as the times.
+            If `t` or `phi1` is not an array of real numbers, or the samples are too few, not
+            increasing in time, not finite or not as many as the times.
 
         Notes
         -----
-        The carrier's speed, acceleration and jerk are those of the spline, off by the third to
-        fifth power of the spacing of samples of a smooth motion, and by more within a few samples
-        of the ends; noise of the samples is not smoothed. Those of a function are found from
-        polynomials of degree 12 through its values around each time, up to 32 s and as little as
-        2⁻²⁰ s to both sides, whichever have the least last coefficients beside their roundings;
-        where it is NaN there they are not used.
+        For samples, the carrier's speed, acceleration and jerk are those of the spline. For a
+        smooth motion they are off by the third to fifth power of the sample spacing, and by more
+        within a few samples of the ends; noise is not smoothed. For a function, they come from
+        polynomials of degree 12 through its values around each time, from 2⁻²⁰ s to 32 s to both
+        sides: those with the smallest last coefficients and rounding errors. Where the function is
+        NaN there, they are not used.
 
         """
         units = Units(degrees)
@@ -216,20 +217,20 @@ DEGREE = 5
 POINTS = 13
 WIDTHS = tuple(2.0**power for power in range(5, -21, -1))
 FOUND = 1e-6
-# Times whose windows are kept at once.
+# Number of times whose windows are held at once.
 BLOCK = 4096
 EPS = float(np.finfo(float).eps)
 
 
 def interpolate(phi1: ArrayLike, t: Floats) -> Floats:
-    """Return samples and their first three derivatives, by a spline of the fifth degree."""
+    """Return samples and their first three derivatives, by a quintic spline."""
     from scipy.interpolate import make_interp_spline
 
     angles = check_array("phi1", phi1)
-    require(t.ndim == 1 and t.size > DEGREE, "t", t, f"must be {DEGREE + 1} or more in a row")
+    require(t.ndim == 1 and t.size > DEGREE, "t", t, f"must be {DEGREE + 1} or more on one axis")
     require(angles.shape == t.shape, "phi1", angles, f"must be as many as the times, {t.size}")
     require(np.isfinite(angles).all(), "phi1", angles, "must be finite")
-    require((np.diff(t) > 0).all() and np.isfinite(t).all(), "t", t, "must be finite and rise")
+    require((np.diff(t) > 0).all() and np.isfinite(t).all(), "t", t, "must be finite and increase")
     spline = make_interp_spline(t, angles, k=DEGREE)
     return np.array([angles, *(spline(t, order) for order in (1, 2, 3))])
 
@@ -258,10 +259,10 @@ def _call(phi1: Callable[[Floats], ArrayLike], t: Floats) -> Floats:
 
 
 def _search(phi1: Callable[[Floats], ArrayLike], t: Floats) -> tuple[Floats, Floats]:
-    """Return derivatives of the three orders and the least estimate of their errors.
+    """Return the derivatives of the three orders and the least estimates of their errors.
 
-    What is not seen of a function is as large as the last two coefficients of its polynomial, and
-    so are their derivatives, by as many powers of the degree; besides there are roundings.
+    The truncation error is estimated by the last two coefficients of the polynomial, and those of
+    the derivatives by these times powers of the degree; rounding errors are added.
     """
     nodes, last, weights = _weights()
     best, least = np.full((3, t.size), np.nan), np.full((3, t.size), np.inf)

@@ -1,7 +1,7 @@
-"""The pair 4-5 beside the oval pair 6-3, oval or cylindrical, and the kinds of their motion.
+"""The pair 4-5, oval or cylindrical, beside the oval pair 6-3, and the kinds of their motion.
 
 Two oval pairs, or a cylindrical and an oval one, act like one oval pair: with x twice the angle
-of its driver, wheel 3 turns against the carrier with the speed
+of its driver, wheel 3 turns against the carrier at the speed
 1 - ratio = rate*(1 - e**2)/(1 + e**2 - 2*e*cos(x)), which falls from x = 0 to x = pi. The theorems
 hold for exact numbers and for floats.
 """
@@ -29,10 +29,10 @@ class OvalPair:
     e : real number or decimal string
         Eccentricity of the generating ellipse, 0 <= e < 1.
     mount : real number or decimal string
-        Turn of wheel 6 on its shaft (rad), forward from its place in the paper, where the major
+        Turn of wheel 6 on its shaft (rad), forward from its position in the paper, where the major
         axes of 5 and 6 are at right angles.
     degrees : bool
-        Whether the mount is in degrees; no field.
+        Whether the mount is in degrees; not a field.
 
     """
 
@@ -41,12 +41,12 @@ class OvalPair:
     degrees: InitVar[bool] = field(default=False, kw_only=True)
 
     def __post_init__(self, degrees: bool) -> None:
-        """Check the parameters and keep them exact where they are."""
+        """Check the parameters; exact ones stay exact."""
         units = Units(degrees)
         e, mount = units.take("e", self.e, "1"), self.mount
         if isinstance(mount, str | Decimal | Fraction | int):
             mount = check_number("mount", mount)
-        # No turn at all stays exact.
+        # A mount of zero stays exact.
         if not (isinstance(mount, Fraction) and mount == 0):
             mount = units.take(
                 "mount", float(mount) if degrees and isinstance(mount, Fraction) else mount, "rad"
@@ -70,13 +70,13 @@ class CylindricalPair:
     R5: Given
 
     def __post_init__(self) -> None:
-        """Check the parameters and keep them exact where they are."""
+        """Check the parameters; exact ones stay exact."""
         for name, radius in asdict(self).items():
             object.__setattr__(self, name, check_size(name, Units().take(name, radius, "mm")))
 
 
 def check_size(name: str, value: Any, kernel_name: str = "") -> Number:
-    """Return the number, exact where it is, after the kernels' conditions on it."""
+    """Return the number, exact if given so, after checking the kernels' conditions on it."""
     number = check_number(name, value)
     called = kernel_name or name
     check_domain(kernels.DOMAIN, {called: number}, {called: (name, value)})
@@ -87,12 +87,12 @@ Kind = Literal["rest", "reciprocating", "pilgrim-step", "intermittent", "one-way
 
 
 class Classified(NamedTuple):
-    """Kind of the output's motion and its figures.
+    """Kind of the output's motion and its characteristics.
 
     `drift` is the mean advance in one turn of the carrier, `amplitude` half the range of phi3
-    without its drift, `minimum` and `maximum` the extremes of the ratio, `period` the carrier
-    angle after which it recurs. `rests` are the intervals of the carrier angle in which |ratio|
-    is at most the stated eta; one period has those listed, single points for eta = 0.
+    without its drift, `minimum` and `maximum` the extremes of the ratio, `period` the carrier angle
+    after which it repeats. `rests` are the intervals of the carrier angle in one period in which
+    |ratio| is at most the stated eta; for eta = 0 they are single points.
     """
 
     kind: Kind
@@ -104,7 +104,7 @@ class Classified(NamedTuple):
     rests: tuple[tuple[float, float], ...]
 
 
-# The figures of a motion that are angles, and their unit.
+# The characteristics of a motion that are angles, and their unit.
 ANGLES = dict.fromkeys(("drift", "amplitude", "period", "rests"), "rad")
 
 

@@ -1,11 +1,11 @@
 """Planetary mechanism with two external pairs: oval or cylindrical 4-5, oval 6-3.
 
-Angles are in radians, positive in the direction of the carrier's rotation, and count every turn;
-with `degrees=True` they are in degrees, as arguments and as results, and so are those that results
-are derived by. Quantities of pint are taken and given back in their units.
-At zero a major axis of an oval sun points to the satellite, whose wheels 5 and 6 have theirs at
-right angles. Parameters given as integers, fractions, decimals or decimal strings are exact, and
-so is then what is said of the kind of motion.
+Angles are in radians, positive in the direction of the carrier's rotation, and count every turn.
+With `degrees=True`, arguments and results are in degrees, and derivatives are with respect to
+degrees. pint quantities are accepted and returned in their units. At zero, a major axis of an oval
+sun points to the satellite, whose wheels 5 and 6 have theirs at right angles. Parameters given as
+integers, fractions, decimals or decimal strings are exact; the kind of motion is then decided
+exactly.
 
 >>> from mechproof import OvalPlanetary
 >>> mechanism = OvalPlanetary.published(3)
@@ -71,7 +71,7 @@ class OvalPlanetary(Drive):
 
     Notes
     -----
-    Source: Prikhodko et al. 2024, equations (1)-(11), with the sign of the mechanics: the
+    Source: Prikhodko et al. 2024, equations (1)-(11), with the sign that mechanics requires: the
     paper's (10) counts the output's angle against the carrier's direction of rotation.
 
     """
@@ -80,7 +80,7 @@ class OvalPlanetary(Drive):
     e2: Given
 
     def __post_init__(self) -> None:
-        """Check the parameters and keep them exact where they are."""
+        """Check the parameters; exact ones stay exact."""
         if not isinstance(self.pair, OvalPair | CylindricalPair):
             refuse("pair", self.pair, "must be an OvalPair or a CylindricalPair", TypeError)
         object.__setattr__(self, "e2", check_size("e2", Units().take("e2", self.e2, "1")))
@@ -89,8 +89,8 @@ class OvalPlanetary(Drive):
     def published(cls, variant: int) -> OvalPlanetary:
         """Return variant 1 to 4 of Prikhodko et al. 2024, its parameters exact.
 
-        They are printed with so few digits that the shortest decimal of a double is what is
-        printed.
+        They are printed with so few digits that the shortest decimal of a double is the printed
+        one.
         """
         printed = choose_published(kernels.PUBLISHED, "variant", variant)
         sizes = {name: Fraction(repr(size)) for name, size in printed.items()}
@@ -100,8 +100,8 @@ class OvalPlanetary(Drive):
     def extremes(self, *, degrees: bool = False) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.
 
-        They are half a period apart; the smallest is at the carrier angle 0 unless wheel 6 is
-        mounted at another angle than the paper's. With circles alone the ratio is constant.
+        They are half a period apart. The smallest is at the carrier angle 0 unless wheel 6 is
+        mounted at an angle other than the paper's. With circles only, the ratio is constant.
         """
         one = self._act_as_one()
         period = math.pi / float(one.rate)
@@ -115,20 +115,20 @@ class OvalPlanetary(Drive):
         return Units(degrees).give_fields(found, PLACES)
 
     def classify(self, eta: Given | None = None, *, degrees: bool = False) -> Classified:
-        """Return the kind of motion, decided by theorems in the parameters.
+        """Return the kind of motion, decided by theorems on the parameters.
 
         Parameters
         ----------
         eta : real number or decimal string, optional
-            |ratio| up to which the output counts as at rest, and |mean ratio| up to which it
-            counts as without drift. Zero if left out, which needs exact parameters.
+            |ratio| up to which the output counts as at rest, and |mean ratio| up to which it counts
+            as without drift; zero by default, which needs exact parameters.
 
         Returns
         -------
         Classified
-            With low and high the extremes of the ratio, the kind is "rest" if both are within
-            eta; "reciprocating" if they are beyond it on both sides and the mean is within,
-            "pilgrim-step" if the mean is not; "intermittent" if one is within; else "one-way".
+            The kind is "rest" if both extremes of the ratio are within eta; "reciprocating" if they
+            are beyond it on both sides and the mean is within, "pilgrim-step" if the mean is not;
+            "intermittent" if one extreme is within; otherwise "one-way".
 
         Raises
         ------
@@ -137,7 +137,7 @@ class OvalPlanetary(Drive):
 
         """
         if eta is None:
-            require(self._is_exact, "eta", None, f"must be stated, for {self!r} has floats")
+            require(self._is_exact, "eta", None, f"must be given, since {self!r} has floats")
         limit = Fraction(0) if eta is None else check_number("eta", eta)
         require(limit >= 0, "eta", eta, "must not be negative")
         return Units(degrees).give_fields(classify(self._act_as_one(), limit), ANGLES)
@@ -152,21 +152,21 @@ class OvalPlanetary(Drive):
         eta : real number or decimal string
             |ratio| up to which the output counts as at rest, as in `classify`.
         band : float
-            Instead: how far from a position the output may be (rad).
+            Alternative: how far from a position the output may be (rad).
         degrees : bool
             Whether the band and the interval are in degrees.
 
         Returns
         -------
         tuple of float
-            Start and end (rad), one of those that recur with the period of the ratio; infinite
-            where the output always dwells, and both NaN where it never does.
+            Start and end (rad) of one such interval, which repeats with the period of the ratio;
+            infinite if the output always dwells, and both NaN if it never does.
 
         Raises
         ------
         TypeError, ValueError
-            If not exactly one of both is given, it is not positive, or in a period of the ratio
-            the output advances by some, but by no more than the band.
+            If not exactly one of the two is given, it is not positive, or the output advances in a
+            period of the ratio, but by no more than the band.
 
         """
         units = Units(degrees)
@@ -180,8 +180,8 @@ class OvalPlanetary(Drive):
     ) -> OvalPlanetary:
         """Return the drive of a row of `find_dwells`.
 
-        `e2` is that with an exact dwell, or else the one with the longest, if it is left out;
-        `module` is that of the cylindrical wheels (mm).
+        `e2` is by default that with an exact dwell, or else that with the longest one; `module` is
+        that of the cylindrical wheels (mm).
         """
         require(isinstance(dwell, Dwell), "dwell", dwell, "must be a row of find_dwells", TypeError)
         size = Fraction(check_real("module", module)) / 2
@@ -199,40 +199,39 @@ class OvalPlanetary(Drive):
         rank: Rank = "width",
         degrees: bool = False,
     ) -> Dwells:
-        """Find every drive with a cylindrical pair 4-5 that dwells, by whole teeth and e2.
+        """Find every drive with a cylindrical pair 4-5 that dwells, by tooth numbers and e2.
 
         Parameters
         ----------
         width : float
-            Carrier angle of the dwell (rad) at least.
+            Least carrier angle of the dwell (rad).
         eta : real number or decimal string
-            What counts as a dwell: |ratio| <= eta, or
+            The output dwells where |ratio| <= eta.
         band : float
-            the output keeps within +-band of a position (rad), whether or not it turns back.
+            Alternative: it dwells within +-band of a position (rad), whether or not it turns back.
         teeth : two integers
             Least and largest number of teeth of wheels 4 and 5.
         largest_e : real number or decimal string, optional
             Largest e2; the pitch curves are convex up to 1/3.
         rank : "width", "step" or "teeth"
-            What comes first: the longest dwell, the largest advance of the output from one dwell
+            What ranks first: the longest dwell, the largest advance of the output from one dwell
             to the next, or the fewest teeth.
         degrees : bool
-            Whether `width` and `band` are in degrees, and those of the rows with them.
+            Whether `width` and `band`, and the angles in the rows, are in degrees.
 
         Returns
         -------
         Dwells
-            A table: for each ratio z4/z5, in the fewest teeth, all eccentricities from one to
-            another. It is complete, or says for which tooth numbers
-            it is not. Ends of e2 that are no fractions are enclosed to 1e-9 in balls. Drives that
-            rest throughout are left out.
+            A table: for each ratio z4/z5, in the fewest teeth, all intervals of eccentricities. It
+            is complete, or names the tooth numbers for which it is not. Ends of e2 that are not
+            fractions are enclosed to 1e-9 in balls. Drives that rest throughout are left out.
 
         Raises
         ------
         TypeError, ValueError
             If not exactly one of `eta` and `band` is given, or one is out of its range.
         ImportError
-            Without the extra `derive`.
+            If the extra `derive` is not installed.
 
         """
         units = Units(degrees)
@@ -260,19 +259,19 @@ class OvalPlanetary(Drive):
         Raises
         ------
         TypeError
-            If `phi3` is complex, not numeric or no angle.
+            If `phi3` is complex, not numeric or not an angle.
         ValueError
-            If the position function is not monotonic: the ratio changes its sign or is zero
-            throughout. Floats are taken at their exact values, with no tolerance.
+            If the position function is not monotonic: the ratio changes sign or is zero throughout.
+            Floats are taken at their exact values, without tolerance.
 
         Notes
         -----
         With delta = phi3 - (1 - R4/R5)*phi1, |delta| <= asin(e2).
 
-        Accuracy held by the tests, where R4/R5*|phi1| <= 2**25, for every e2: the exact position
-        at phi1 misses phi3 by at most 14*eps times the larger term of the position (7 eps of the
-        kernel, twice) and what the step to a neighbour of phi1 makes of it. Near a double zero of
-        the ratio the angle itself is known only to the square root of that.
+        Accuracy held by the tests, where R4/R5*|phi1| <= 2**25, for every e2: the exact position at
+        phi1 differs from phi3 by at most 14*eps times the larger term of the position (7 eps of the
+        kernel, twice) plus its change from phi1 to a neighbouring double. Near a double zero of the
+        ratio, the angle itself is known only to the square root of that.
 
         """
         sign = self._direction()
@@ -309,7 +308,7 @@ class OvalPlanetary(Drive):
         return compose(float(e1), float(e2), float(mount))
 
     def _direction(self) -> int:
-        """Return the sign of a ratio that does not change it."""
+        """Return the sign of the ratio; raise ValueError if it changes."""
         one = self._act_as_one()
         if isinstance(self.pair, CylindricalPair):
             r4, r5, e2 = map(Fraction, self._numbers)
@@ -320,7 +319,7 @@ class OvalPlanetary(Drive):
                 return -1
         low, high = float(1 - one.fastest), float(1 - one.slowest)
         raise ValueError(
-            f"{self!r}: phi3 does not determine the carrier angle, for the ratio runs from "
+            f"{self!r}: phi3 does not determine the carrier angle, as the ratio ranges from "
             f"{low!r} to {high!r}; it must keep its sign"
         )
 

@@ -1,4 +1,4 @@
-"""Parameters, exact where they are given so; what the facts of a kernel module make of them."""
+"""Parameters, exact if given so, and their checks by the facts of a kernel module."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def check_teeth(teeth: tuple[int, int]) -> tuple[int, int]:
 
 
 def check_number(name: str, value: Any) -> Number:
-    """Return an exact fraction, or a float for what is one."""
+    """Return an exact fraction, or a float if a float is given."""
     if isinstance(value, np.integer):
         value = int(value)
     if isinstance(value, str | Decimal | int | Fraction) and not isinstance(value, bool):
@@ -44,8 +44,8 @@ def check_domain(
 ) -> None:
     """Raise ValueError for the first condition that the values do not satisfy.
 
-    Conditions with other names than those of `values` are left out. `as_given` has the name and
-    the value under which a parameter was given where they differ.
+    Conditions on names not in `values` are skipped. `as_given` has the name and the value under
+    which a parameter was given, if they differ.
     """
     given = {name: (name, value) for name, value in values.items()} | dict(as_given or {})
     for condition in domain:

@@ -1,6 +1,6 @@
-"""Types of methods that compute point by point: of a number a number, of an array an array.
+"""Types of methods that compute point by point: a number from a number, an array from an array.
 
-What has a unit or labels, and a list, gives `Any`; so does an argument by its name.
+Arguments with units or labels, lists and keyword arguments give `Any`.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ class PointwiseInAngles(Protocol[P]):
 
 
 def pointwise(method: Callable[Concatenate[Any, P], Any]) -> Pointwise[P]:
-    """Say that a method computes point by point."""
+    """Declare that a method computes point by point."""
     return cast("Pointwise[P]", method)
 
 
 def pointwise_in_angles(method: Callable[Concatenate[Any, P], Any]) -> PointwiseInAngles[P]:
-    """Say that a method with `degrees` computes point by point."""
+    """Declare that a method with `degrees` computes point by point."""
     return cast("PointwiseInAngles[P]", method)

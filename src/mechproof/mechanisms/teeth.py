@@ -30,7 +30,7 @@ MODULES = tuple(
         *("32", "40", "50"),
     )
 )
-# The trapezium rule doubles its points up to so many.
+# The trapezium rule doubles its points up to this number.
 MOST_POINTS = 2**20
 
 
@@ -45,10 +45,10 @@ class Teeth(NamedTuple):
 
 
 class OvalTeeth(NamedTuple):
-    """Tooth number of an oval or elliptical wheel, the module (mm) that closes it, its curve (mm).
+    """Tooth number of an oval or elliptical wheel, the module (mm) that fits it, its curve (mm).
 
-    `alike`: both wheels of the pair can be cut alike, a tooth where the radius is largest; the
-    other then has a gap where it is smallest.
+    `alike`: both wheels of the pair can be cut alike, with a tooth where the radius is largest; the
+    other then has a gap where its radius is smallest.
     """
 
     z: int
@@ -70,18 +70,18 @@ def find_teeth(
     Parameters
     ----------
     R1, R2 : real number or decimal string
-        Radii of the pitch circles (mm), positive; R1 of the ring where it is internal.
+        Radii of the pitch circles (mm), positive; R1 is that of the ring if internal.
     internal : bool
         Whether wheel 2 runs inside wheel 1; then R2 < R1.
     teeth : two integers
-        Least and largest number of teeth of either.
+        Least and largest number of teeth of either wheel.
     modules : real numbers or decimal strings
-        Modules to choose from (mm), series I of ISO 54 from 1 to 50 if left out.
+        Modules to choose from (mm), by default series I of ISO 54 from 1 to 50.
 
     Returns
     -------
     tuple of Teeth
-        By rising module; empty if no module of those divides both diameters.
+        In order of increasing module; empty if no module divides both diameters.
 
     Raises
     ------
@@ -109,14 +109,14 @@ def find_nearest_teeth(
 ) -> tuple[Teeth, ...]:
     """Return tooth numbers whose quotient is nearest to R1/R2, each nearer than with fewer teeth.
 
-    Parameters are those of `find_teeth`. The distance of the axes is kept, so that the module is no
-    standard one and the radii are those of the teeth, not those given.
+    Parameters are as in `find_teeth`. The distance of the axes is kept, so the module is not a
+    standard one, and the radii follow from the teeth, not from those given.
 
     Returns
     -------
     tuple of Teeth
-        The fewest teeth first, the nearest quotient last: every pair within the limits was
-        compared, in fractions. Of pairs as near the one with the fewest teeth is taken.
+        The fewest teeth first, the nearest quotient last. Every pair within the limits was
+        compared, in fractions. Of pairs equally near, the one with the fewest teeth is taken.
 
     """
     wanted_1, wanted_2 = _check_radii(R1, R2, internal)
@@ -144,7 +144,7 @@ def find_nearest_teeth(
 def find_oval_teeth(
     a: float, e: float, *, teeth: tuple[int, int] = (12, 100), lobes: int = 2
 ) -> tuple[OvalTeeth, ...]:
-    """Return for each number of teeth the module with which it closes the pitch curve.
+    """Return, for each number of teeth, the module that fits it to the pitch curve.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def find_oval_teeth(
     require(count <= 2, "lobes", lobes, "must be 1 or 2")
     first, last = check_teeth(teeth)
     perimeter = float(oval_perimeter(a, e) if count == 2 else ellipse_perimeter(a, e))
-    # From the largest radius to the smallest are z/(2 lobes) pitches: a tooth meets a gap if that
+    # The largest and the smallest radius are z/(2 lobes) pitches apart: a tooth meets a gap if that
     # is a whole number and a half.
     return tuple(
         OvalTeeth(z, perimeter / (math.pi * z), perimeter, z % (2 * count) == count)
@@ -173,7 +173,7 @@ def find_oval_teeth(
 def ellipse_perimeter(a: ArrayLike, e: ArrayLike) -> Any:
     """Return the perimeter 4 a E(e) of ellipses with the semi-axis a (mm), 0 <= e < 1.
 
-    NaN outside. Within 4 eps: that of SciPy's complete elliptic integral of 1 - e**2, and a root.
+    NaN outside. Within 4 eps: those of SciPy's complete elliptic integral of 1 - e**2, and a root.
     """
     from scipy.special import ellipe
 
@@ -192,13 +192,13 @@ def oval_perimeter(a: ArrayLike, e: ArrayLike) -> Any:
     Raises
     ------
     ArithmeticError
-        If 2**20 points are not enough, as for e above some 1 - 1e-4.
+        If 2**20 points are not enough, as for e above about 1 - 1e-4.
 
     Notes
     -----
-    By the trapezium rule, whose error falls with the power of the number of points, for the curve
-    is periodic and analytic (Trefethen and Weideman 2014); points are doubled until the sum changes
-    by no more than 4 eps. Held by the tests: within 8 eps of the integral.
+    Uses the trapezium rule, whose error falls exponentially with the number of points because the
+    curve is periodic and analytic (Trefethen and Weideman 2014). Points are doubled until the sum
+    changes by no more than 4 eps. Held by the tests: within 8 eps of the integral.
 
     """
     axis, eccentricity = np.broadcast_arrays(*_check_curve(a, e))
@@ -207,13 +207,13 @@ def oval_perimeter(a: ArrayLike, e: ArrayLike) -> Any:
 
 
 def _measure_oval(e: float) -> float:
-    """Return the perimeter over a; the ends of a quarter are its symmetries."""
+    """Return the perimeter over a; the curve is symmetric at the ends of a quarter."""
     if math.isnan(e):
         return math.nan
     before, points = math.inf, 8
     while points <= MOST_POINTS:
         doubled = (np.arange(points) + 0.5) * (math.pi / points)
-        # The slope of the radius by the polar angle is r 2 e sin/(1 - e cos).
+        # The derivative of the radius by the polar angle is r 2 e sin/(1 - e cos).
         spread = (1 - e) + 2 * e * np.sin(doubled / 2) ** 2
         speed = np.hypot(spread, 2 * e * np.sin(doubled)) / spread**2
         perimeter = (1 - e) * (1 + e) * math.fsum(speed) * (2 * math.pi / points)

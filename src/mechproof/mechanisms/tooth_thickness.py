@@ -1,8 +1,8 @@
 """Thickness of involute gear teeth at the constant chord, measured at a height below the tip.
 
-Lengths in mm, angles in radians, or in degrees with `degrees=True`; quantities of pint are taken
-and given back in their units. Heights grow from the tip towards the wheel's centre; a deviation of
-thickness is positive for a thicker tooth.
+Lengths are in mm, angles in radians, or in degrees with `degrees=True`; pint quantities are
+accepted and returned in their units. Heights increase from the tip towards the wheel's centre; a
+deviation of thickness is positive for a thicker tooth.
 
 >>> from mechproof import ToothThickness
 >>> wheel = ToothThickness.published()
@@ -44,14 +44,14 @@ class ToothThickness(Displayed):
     z : int
         Number of teeth, at least 4.
     alpha : float
-        Profile angle of the basic rack (rad), 0 < alpha < pi/4; 20° if left out.
+        Profile angle of the basic rack (rad), 0 < alpha < pi/4; 20° by default.
     degrees : bool
-        Whether alpha is in degrees; no field.
+        Whether alpha is in degrees; not a field.
 
     Raises
     ------
     TypeError, ValueError
-        If a parameter is not of its kind or out of its range; the message names it.
+        If a parameter has the wrong type or is out of its range; the message names it.
 
     Notes
     -----
@@ -70,11 +70,11 @@ class ToothThickness(Displayed):
         """Check the parameters and convert them."""
         units = Units(degrees)
         for name, unit in (("m", "mm"), ("alpha", "rad")):
-            # The angle that is left out is in radians.
+            # The default angle is in radians.
             is_usual = name == "alpha" and self.alpha is ToothThickness.alpha
             given = getattr(self, name) if is_usual else units.take(name, getattr(self, name), unit)
             object.__setattr__(self, name, check_real(name, given))
-        # From 4 on the flank's tangent is less than a right angle from the axis up to the tip.
+        # From z = 4 on, the flank's tangent is within a right angle of the axis up to the tip.
         object.__setattr__(self, "z", check_count("z", self.z, least=4))
         check_domain(kernels.DOMAIN, asdict(self))
 
@@ -122,13 +122,13 @@ class ToothThickness(Displayed):
         Raises
         ------
         TypeError
-            If `dh` is complex, not numeric or no length.
+            If `dh` is complex, not numeric or not a length.
 
         Notes
         -----
-        Accuracy held by the tests: error <= 61 eps * r_b*|tilt|*(1 + t_c + |tilt|), `tilt` the
-        angle by which the flank's tangent has turned: 29 for the thickness, 15 for the height
-        times its influence 2*tan of the flank's angle <= 2, and as often the eps of the tilt.
+        Accuracy held by the tests: error <= 61 eps * r_b*|tilt|*(1 + t_c + |tilt|), with `tilt` the
+        angle by which the flank's tangent has turned: 29 for the thickness and, times the influence
+        of the height, 2*tan of the flank's angle <= 2, 15 for the height and 1 for the tilt.
 
         """
         units = Units()
@@ -150,7 +150,7 @@ class ToothThickness(Displayed):
 
     @pointwise
     def linearisation_bound(self, dh: ArrayLike) -> Any:
-        """Bound the excess of the first order: 0 <= linear - exact <= bound (mm).
+        """Bound the excess of the first-order value: 0 <= linear - exact <= bound (mm).
 
         NaN where |dh| > `deepest`; see `kernels.tooth_thickness.linearisation_bound`.
         """

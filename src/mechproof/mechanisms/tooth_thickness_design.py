@@ -1,17 +1,17 @@
-"""Inspections backwards: the acceptance limits and the gauge with which a risk is as wanted.
+"""Inverse design of inspections: the acceptance limits and the gauge for a wanted risk.
 
-A risk depends on the guard band in one direction only: whatever is accepted within narrower
-acceptance limits is accepted within wider ones.
+A risk is monotonic in the guard band: whatever is accepted within narrower acceptance limits is
+accepted within wider ones.
 
-With the size of errors that are symmetric about 0 and most dense there, as f grows in S0 + f*S1,
-|S0 + f*S1| > x becomes more likely for every x (Birnbaum 1948, on comparable peakedness). So
+For errors that are symmetric about 0 and most dense there, |S0 + f*S1| > x becomes more likely as f
+grows, for every x (Birnbaum 1948, on comparable peakedness). So
 
 - a conforming part at the distances a, b >= 0 from both limits is rejected with the probability
   P(|S| > a)/2 + P(|S| > b)/2: the producer's risk rises;
-- a part beyond a limit by a, the field being T wide, is accepted with the probability
-  P(|S| > a)/2 - P(|S| > a + T)/2. Both rise: the consumer's risk is the chance `near` of being
-  measured on the good side of the limit, less the chance `far` of being measured beyond the other
-  one. It may fall again where the errors are as wide as the field. The least f with
+- a part beyond a limit by a, in a field of width T, is accepted with the probability
+  P(|S| > a)/2 - P(|S| > a + T)/2. Both terms rise: the consumer's risk is the chance `near` of
+  being measured on the good side of the limit, less the chance `far` of being measured beyond the
+  other one. It may fall again where the errors are as wide as the field. The least f with
   near(f) = wanted + far(f) is reached from below by solving near(f) = wanted + far(last f).
 
 Sources: JCGM 106:2012, clauses 8 and 9; Z. W. Birnbaum, On random variables with comparable
@@ -31,28 +31,28 @@ from mechproof.mechanisms.inversion import invert
 
 Window = tuple[float, float]
 Function = Callable[[float], float]
-# Shares for errors so many times as large, and for a window of tolerance and one of acceptance.
+# Shares as a function of a factor on the errors, the tolerance limits and the acceptance limits.
 Scaled = Callable[[float, Window, Window], Shares]
 NAMES = {"consumer_risk": "wrongly_accepted", "producer_risk": "wrongly_rejected"}
 # Factors of the errors are sought between 2**-FAR and 2**FAR, the largest risk by octaves.
 FAR, OCTAVES = 60, range(-20, 21)
-# From below one step is the rule; only near the largest risk they are many.
+# From below, one step usually suffices; only near the largest risk are many needed.
 STEPS = 100
 EPS = float(np.finfo(float).eps)
-# Twice the accuracy of shares by quadrature, and much below any jump that matters.
+# Twice the accuracy of shares by quadrature, and far below any jump that matters.
 NEAR = 2e-8
 
 
 def choose_risk(consumer_risk: float | None, producer_risk: float | None) -> tuple[str, float]:
-    """Return name and value of the one risk that is wanted."""
+    """Return the name and value of the one risk given."""
     name, risk = choose_one({"consumer_risk": consumer_risk, "producer_risk": producer_risk})
     return name, check_probability(name, risk)
 
 
 def get_risk(name: str, shares: Shares) -> float:
-    """Return a global risk; ValueError where there are several."""
+    """Return a global risk; ValueError if there are several."""
     risk = getattr(shares, NAMES[name])
-    require(np.ndim(risk) == 0, name, risk, "is wanted of one set of laws and limits, not of many")
+    require(np.ndim(risk) == 0, name, risk, "must be of one set of laws and limits, not of many")
     return float(risk)
 
 
@@ -60,7 +60,7 @@ def check_symmetric(name: str, law: Law) -> None:
     """Raise ValueError unless a law is symmetric about 0."""
     ends = law.knots()
     symmetric = np.all(ends[..., 0] == -ends[..., -1]) and np.all(getattr(law, "mean", 0.0) == 0)
-    require(symmetric, name, law, "must be symmetric about 0: else a risk may fall with the errors")
+    require(symmetric, name, law, "must be symmetric about 0: else a risk may fall as errors grow")
 
 
 def find_acceptance(
@@ -84,7 +84,7 @@ def find_acceptance(
     guard = _invert(rise, sign * risk, -reach, min((high - low) / 2, reach))
     reached = abs(rise(guard))
     close = math.isclose(reached, risk, rel_tol=NEAR, abs_tol=NEAR)
-    allowed = f"is not reached: with values that are fixed the risk jumps to {reached!r}"
+    allowed = f"is not reached: with fixed values the risk jumps to {reached!r}"
     require(close, name, risk, allowed)
     return low + guard, high - guard
 
@@ -113,7 +113,7 @@ def _find_most(name: str, shares: Shares) -> float:
 
 
 def _split(name: str, shares: Scaled, tolerance: Window) -> tuple[Function, Function]:
-    """Return two rising functions of the factor of which the risk is the difference."""
+    """Return two increasing functions of the factor whose difference is the risk."""
     low, high = tolerance
     if name == "producer_risk":
         return lambda f: get_risk(name, shares(f, tolerance, tolerance)), lambda f: 0.0
@@ -144,7 +144,7 @@ def _climb(near: Function, far: Function, wanted: float) -> float | None:
 
 
 def _solve(rise: Function, target: float) -> float | None:
-    """Return where a rising function of a positive number has a value, None beyond its reach."""
+    """Return where an increasing function of a positive number takes a value, None if nowhere."""
     exponent = 0
     while exponent < FAR and rise(2.0**exponent) < target:
         exponent += 1

@@ -33,12 +33,12 @@ def exact_shares(
 ) -> Shares:
     """Return the shares for a measurement error that is the sum of independent errors.
 
-    Normal errors are added in closed form. One law stays whole (the sum of the normal ones, or
-    else the widest); over the others an adaptive quadrature averages the shares given their values.
+    Normal errors are added in closed form. One law is kept whole (the sum of the normal ones, or
+    else the widest); an adaptive quadrature averages the shares over the values of the others.
 
-    Accuracy held by the tests: that of `conformity.shares` for normal errors or a single one, else
-    an absolute 1e-8, if no error is centred further than a million of its widths from 0. Raises
-    ArithmeticError if the quadrature does not converge.
+    Accuracy held by the tests: that of `conformity.shares` for normal errors or a single one,
+    otherwise an absolute 1e-8, if no error is centred further than a million of its widths from 0.
+    Raises ArithmeticError if the quadrature does not converge.
     """
     normal = add_normals([law for law in errors if isinstance(law, Normal)])
     others = sorted((e for e in errors if not isinstance(e, Normal)), key=_width)

@@ -1,7 +1,7 @@
 """Sorting of gears by the measured tooth thickness: the four shares of parts and the two risks.
 
-Every law is given by the caller: the paper prints none, nor how a standard deviation follows from
-an IT grade or from the limit error of a gauge.
+The caller gives every law: the paper states none, nor how a standard deviation follows from an IT
+grade or from the limit error of a gauge.
 
 >>> from mechproof import ThicknessInspection
 >>> from mechproof.conformity import Normal
@@ -82,13 +82,13 @@ class ThicknessInspection(Displayed):
         Law of the gauge's indication error in thickness (mm).
     steps_as_printed : bool
         Follow the paper's steps 5 and 6, which count the tip diameter as a radius and with the
-        wrong sign; by default they follow the geometry.
+        wrong sign; by default, follow the geometry.
 
     Raises
     ------
     TypeError, ValueError
-        If the wheel, a law or a flag is none, or the lower limit is not below the upper one; the
-        message names it.
+        If the wheel, a law or a flag has the wrong type, or the lower limit is not below the upper
+        one; the message names it.
 
     Notes
     -----
@@ -108,7 +108,7 @@ class ThicknessInspection(Displayed):
     steps_as_printed: bool = False
 
     def __post_init__(self) -> None:
-        """Check the limits and the kinds of all else, which has checked itself."""
+        """Check the limits and the types of all other fields, which check themselves."""
         is_wheel = isinstance(self.wheel, ToothThickness)
         require(is_wheel, "wheel", self.wheel, "must be a ToothThickness", TypeError)
         object.__setattr__(self, "tolerance", check_pair("tolerance", self.tolerance))
@@ -130,7 +130,7 @@ class ThicknessInspection(Displayed):
         """Return the wheel and the limits of the paper, E_cs = 12 um and T_c = 45 um.
 
         The deviation has to lie between -57 and -12 um: E_cs is a prescribed decrease. Step 2 as
-        printed has -33 to 12 um; a law of the true deviation moved likewise has the same shares.
+        printed has -33 to 12 um; the shares are the same if the true deviation's law is moved, too.
         """
         laws = true, tip_diameter, height, thickness
         return cls(ToothThickness.published(), PUBLISHED_TOLERANCE, *laws, steps_as_printed)
@@ -155,7 +155,7 @@ class ThicknessInspection(Displayed):
     def shares(self, acceptance: Limits | None = None) -> Shares:
         """Return the exact shares of rightly and wrongly accepted and rejected parts.
 
-        `acceptance` are the acceptance limits if there is a guard band. See `exact_shares` for
+        `acceptance` gives the acceptance limits if there is a guard band. See `exact_shares` for
         the accuracy and `conformity.shares` for arguments and errors.
         """
         return exact_shares(self.true, self.errors, self.tolerance, acceptance)
@@ -196,7 +196,7 @@ class ThicknessInspection(Displayed):
         return self.shares(acceptance).wrongly_rejected
 
     def conformance_probability(self, measured: ArrayLike) -> tuple[Any, Any]:
-        """Return the probabilities that a tooth of this measured deviation conforms, and not.
+        """Return the probabilities that a tooth of this measured deviation conforms, or does not.
 
         Raises TypeError naming the first law that is not normal.
         """
@@ -211,16 +211,16 @@ class ThicknessInspection(Displayed):
     def acceptance_limits(
         self, *, consumer_risk: float | None = None, producer_risk: float | None = None
     ) -> tuple[float, float]:
-        """Return the acceptance limits with which a global risk is the one wanted.
+        """Return the acceptance limits for a wanted global risk.
 
-        Both differ from the tolerance limits by the same guard band: inwards if the consumer's
-        risk has to be less than with simple acceptance (guarded acceptance), outwards if the
-        producer's has to be (guarded rejection). A limit that is infinite stays so.
+        Both differ from the tolerance limits by the same guard band: inwards if the consumer's risk
+        has to be less than with simple acceptance (guarded acceptance), outwards if the producer's
+        has to be (guarded rejection). An infinite limit stays infinite.
 
         Parameters
         ----------
         consumer_risk, producer_risk : float
-            One of them, wanted: below the share of teeth that do not conform, or that do.
+            One wanted risk: below the share of teeth that do not conform, or that do.
 
         Returns
         -------
@@ -251,17 +251,17 @@ class ThicknessInspection(Displayed):
     def scale_gauge(
         self, *, consumer_risk: float | None = None, producer_risk: float | None = None
     ) -> ThicknessInspection:
-        """Return this inspection with the largest gauge with which a global risk is as wanted.
+        """Return this inspection with the largest gauge errors that keep a wanted global risk.
 
-        The errors of the gauge, `height` and `thickness`, are multiplied by one factor, the
-        largest up to which the risk is no more than wanted, with simple acceptance. The producer's
-        risk rises with the factor; where the consumer's falls again, because the gauge scatters
-        as widely as the tolerance, this is left out.
+        The errors of the gauge, `height` and `thickness`, are multiplied by one factor, the largest
+        up to which the risk is no more than wanted, with simple acceptance. The producer's risk
+        rises with the factor. The consumer's may fall again, because the gauge scatters as widely
+        as the tolerance; this part is left out.
 
         Parameters
         ----------
         consumer_risk, producer_risk : float
-            One of them, wanted: above that of a gauge without error.
+            One wanted risk: above that of a gauge without error.
 
         Raises
         ------
@@ -282,7 +282,7 @@ class ThicknessInspection(Displayed):
         for error in ("tip_diameter", "height", "thickness"):
             check_symmetric(error, getattr(self, error))
         has_error = any(np.any(law.knots() != 0) for law in (self.height, self.thickness))
-        require(has_error, "thickness", self.thickness, "and height have no error to be scaled")
+        require(has_error, "thickness", self.thickness, "it or height must have an error to scale")
         tip, *others = self.errors
 
         def scaled(factor: float, tolerance: Window, acceptance: Window) -> Shares:
@@ -300,9 +300,9 @@ class ThicknessInspection(Displayed):
         consumer_risk: float | None = None,
         producer_risk: float | None = None,
     ) -> int:
-        """Return the coarsest IT grade of the tip diameter with which a global risk is as wanted.
+        """Return the coarsest IT grade of the tip diameter that keeps a wanted global risk.
 
-        Of the grades in `IT_120_TO_180`; with it and every finer one the risk is no more than
+        Of the grades in `IT_120_TO_180`; with it and every finer one, the risk is no more than
         wanted.
 
         Parameters
@@ -311,7 +311,7 @@ class ThicknessInspection(Displayed):
             Standard deviations in the tolerance field, which is centred on the nominal size: the
             deviation has the law Normal.from_width(0, IT, multiple).
         consumer_risk, producer_risk : float
-            One of them, wanted: at least that with the finest grade.
+            One wanted risk: at least that with the finest grade.
 
         Raises
         ------
@@ -340,7 +340,7 @@ class ThicknessInspection(Displayed):
 
     @property
     def _window(self) -> Window:
-        """The tolerance limits, of which there is one set; ValueError otherwise."""
+        """The tolerance limits; ValueError if there are several sets."""
         low, high = (np.asarray(limit) for limit in self.tolerance)
         one = low.ndim == high.ndim == 0
         require(one, "tolerance", self.tolerance, "must be one pair of numbers here")

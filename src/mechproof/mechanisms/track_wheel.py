@@ -1,12 +1,11 @@
-"""Wheel with a multi-period track, and the errors from the way it lies on the machine.
+"""Wheel with a multi-period track, and the errors from its placement on the machine.
 
-Lengths are in millimetres, angles in radians, or in degrees with `degrees=True`; quantities of pint
-are taken and given back in their units. The part is turned by alpha about X0, then beta
-about Y0, then gamma about Z0, each counter-clockwise, and shifted by (a, b, c).
+Lengths are in millimetres, angles in radians, or in degrees with `degrees=True`; pint quantities
+are accepted and returned in their units. The part is turned by alpha about X0, then beta about Y0,
+then gamma about Z0, each counter-clockwise, and shifted by (a, b, c).
 
-How far it may be tilted and offset is told by the kernels `tilt_of_planar_error` and
-`tilt_of_spatial_error`; that no direction is worse, and no other tilt, is proved by the rows
-"design, ..." of the track wheel's ledger.
+The kernels `tilt_of_planar_error` and `tilt_of_spatial_error` give the permitted tilt and offset.
+The rows "design, ..." of the track wheel's ledger prove that no other direction or tilt is worse.
 
 >>> from mechproof import TrackWheel
 >>> wheel = TrackWheel.published(z=6, H=20, shift=(0, 0, 0))
@@ -57,7 +56,7 @@ def check_offset(offset: object) -> float:
 
 
 def choose_wish(wanted: Mapping[str, object], units: Units) -> tuple[str, float]:
-    """Return name and size of the one error that is given."""
+    """Return the name and size of the one error given."""
     name, error = choose_one(wanted)
     return name, check_real(name, units.take(name, error, "mm"))
 
@@ -78,7 +77,7 @@ Triple = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class TrackWheel(Displayed):
-    """A wheel with a track of z periods, and its turn and shift on the machine.
+    """A wheel with a track of z periods, and its rotation and shift on the machine.
 
     Parameters
     ----------
@@ -95,12 +94,12 @@ class TrackWheel(Displayed):
     shift : three floats
         Shift a, b, c along X0, Y0, Z0 (mm).
     degrees : bool
-        Whether the angles are in degrees; no field.
+        Whether the angles are in degrees; not a field.
 
     Raises
     ------
     TypeError, ValueError
-        If a parameter is not of its kind or out of its range; the message names it.
+        If a parameter has the wrong type or is out of its range; the message names it.
 
     Notes
     -----
@@ -132,8 +131,8 @@ class TrackWheel(Displayed):
     def published(cls, *, z: int, H: float, shift: Triple) -> TrackWheel:
         """Return the wheel of Table 1 of Kapitonov, Yakubovsky 2022.
 
-        R = 41.5 mm, A = 3.75 mm, alpha = beta = 0.00103 rad, gamma = 0. The paper does not
-        print the number of periods, the thickness and the shift: they have to be given.
+        R = 41.5 mm, A = 3.75 mm, alpha = beta = 0.00103 rad, gamma = 0. The paper does not state
+        the number of periods, the thickness and the shift: they have to be given.
         """
         sizes: Mapping[str, Any] = kernels.PUBLISHED[0].sizes
         angles = sizes["alpha"], sizes["beta"], sizes["gamma"]
@@ -200,8 +199,8 @@ class TrackWheel(Displayed):
     def normal_error(self, phi: ArrayLike, *, degrees: bool = False) -> Any:
         """Return the error along the normal of the track in the plane, positive outwards.
 
-        It is the part of the displacement (15) that moves the track's wall to the side; NaN where
-        a track with |A| = R lies in the pole, and has no normal.
+        It is the part of the displacement (15) that moves the track's wall sideways; NaN where a
+        track with |A| = R passes through the pole and has no normal.
         """
         units = Units(degrees)
         (angles,) = as_floats("phi", units.take("phi", phi, "rad"))
@@ -218,12 +217,12 @@ class TrackWheel(Displayed):
     def worst_pose(
         self, tilt: float = 0.0, offset: float = 0.0, *, degrees: bool = False
     ) -> TrackWheel:
-        """Return the wheel with its axis tilted and offset in the directions that are worst.
+        """Return the wheel with its axis tilted and offset in the worst directions.
 
         The side that rises is at a crest of the track, `radius_extremes().at_maximum`, and the
-        offset is away from it. With no other directions are the largest errors in the plane,
-        along the normal and in space larger; they occur at this crest. The wheel's own angles and
-        shift are left out, and so is a turn about its axis.
+        offset is away from it. No other directions give larger maximum errors in the plane, along
+        the normal or in space; the maxima occur at this crest. The wheel's own angles and shift are
+        ignored, as is a turn about its axis.
 
         Parameters
         ----------
@@ -237,7 +236,7 @@ class TrackWheel(Displayed):
         Raises
         ------
         TypeError, ValueError
-            If a parameter is not of its kind or out of its range; the message names it.
+            If a parameter has the wrong type or is out of its range; the message names it.
 
         """
         units = Units(degrees)
@@ -253,21 +252,21 @@ class TrackWheel(Displayed):
         offset: float = 0.0,
         degrees: bool = False,
     ) -> Any:
-        """Return the tilt up to which no error is larger than wanted, in whatever direction.
+        """Return the largest tilt at which no error exceeds the one wanted, in any direction.
 
         In closed form, by the kernels `tilt_of_planar_error` and `tilt_of_spatial_error`: in the
-        directions of `worst_pose` the largest error is the one wanted, to 20 eps, as held by the
+        directions of `worst_pose`, the largest error is the one wanted, to 20 eps, as held by the
         tests.
 
         Parameters
         ----------
         planar_error, spatial_error : float
-            One of them: the largest error wanted in the plane, which is also that along the
+            One of them: the largest error permitted in the plane, which is also that along the
             normal of the track, or in space (mm).
         offset : float
             Shift in the plane X0Y0, in any direction, that comes with the tilt (mm).
         degrees : bool
-            Whether the tilt is wanted in degrees.
+            Whether the tilt is returned in degrees.
 
         Returns
         -------
@@ -277,8 +276,8 @@ class TrackWheel(Displayed):
         Raises
         ------
         TypeError, ValueError
-            If a parameter is not of its kind, or the error out of reach; the message says what is
-            allowed.
+            If a parameter has the wrong type, or the error is out of reach; the message says what
+            is allowed.
 
         """
         units = Units(degrees)
@@ -295,7 +294,7 @@ class TrackWheel(Displayed):
         unit = math.hypot(rho, self.H)
         sizes = (size / unit for size in (error, length, rho, self.H))
         tilt = float(getattr(kernels, f"tilt_of_{name}")(*sizes))
-        # The error of a right angle may be beyond that by its rounding.
+        # The error of a right angle may exceed that by rounding.
         return units.give(QUARTER if math.isnan(tilt) else min(tilt, QUARTER), "rad")
 
     def largest_offset(
@@ -306,10 +305,10 @@ class TrackWheel(Displayed):
         tilt: float = 0.0,
         degrees: bool = False,
     ) -> Any:
-        """Return the offset up to which no error is larger than wanted, in whatever direction.
+        """Return the largest offset at which no error exceeds the one wanted, in any direction.
 
-        In closed form, as `largest_tilt`; `tilt` is that which comes with the offset (rad), 0 to
-        pi/2. Errors as there; the error wanted must be at least that of the tilt alone.
+        In closed form, as in `largest_tilt`; `tilt` accompanies the offset (rad, 0 to pi/2). Errors
+        as there; the error wanted must be at least that of the tilt alone.
         """
         units = Units(degrees)
         wanted = {"planar_error": planar_error, "spatial_error": spatial_error}
@@ -318,13 +317,13 @@ class TrackWheel(Displayed):
         least = self._find_largest(name, angle, 0.0)
         allowed = f"must be at least {least!r}, that of the tilt alone"
         require(error >= least * (1 - WIDENING), name, error, allowed)
-        # What is wanted may have been computed, and be too small by its rounding.
+        # A wanted error that was computed may be too small by rounding.
         error = max(error, least)
         inwards = self._find_largest("planar_error", angle, 0.0)
         if name == "planar_error":
             return units.give(error - inwards, "mm")
         *_, up = self._displace_crest(angle, 0.0)
-        # A hypotenuse may be below its longer side by a last bit.
+        # A hypotenuse may be shorter than its longer leg by a last bit.
         side = math.sqrt(max(error - abs(up), 0.0)) * math.sqrt(error + abs(up))
         found = (error - least) * ((error + least) / (inwards + side)) if error > least else 0.0
         return units.give(found, "mm")

@@ -1,7 +1,7 @@
-"""Units of a caller: degrees where he says so, quantities of pint where he gives one.
+"""Units of a caller: degrees if asked for, pint quantities if given.
 
-Kernels take radians and millimetres and no other; here alone is anything else converted. A plain
-number in degrees is multiplied once, so that an angle is off by 1.5 eps of itself.
+Kernels take only radians and millimetres; everything else is converted here. A plain number in
+degrees is multiplied once, so that an angle has a relative error of 1.5 eps.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Extremes(NamedTuple):
     period: float
 
 
-# What a unit of the kernels measures.
+# The quantity that a unit of the kernels measures.
 MEASURED = {
     "rad": "an angle",
     "rad/s": "an angular speed",
@@ -48,12 +48,12 @@ Tuple = TypeVar("Tuple", bound=NamedTuple)
 
 
 class Units:
-    """The units of one call: what is taken in them is given back in them.
+    """The units of one call: results are in the units of the arguments.
 
-    `degrees` says that plain angles are in degrees; a derivative by an angle is then by a degree.
-    Beside a quantity of pint results are quantities, too, angles in the unit of the first angle.
+    With `degrees`, plain angles are in degrees, and derivatives by an angle are per degree. If an
+    argument is a pint quantity, so are results, with angles in the unit of the first angle.
 
-    Raises TypeError where `degrees` is no truth value.
+    Raises TypeError if `degrees` is not a bool.
     """
 
     def __init__(self, degrees: bool = False) -> None:
@@ -67,9 +67,9 @@ class Units:
         Raises
         ------
         TypeError
-            For a quantity of another dimension.
+            If a quantity has another dimension.
         ValueError
-            For a quantity where degrees are said, too.
+            If a quantity is given together with degrees.
 
         """
         if isinstance(value, list | tuple) and not PLAIN.issuperset(map(type, value)):
@@ -87,13 +87,13 @@ class Units:
         if not value.is_compatible_with(wanted):
             refuse(name, value, f"must be {MEASURED[unit]} ({unit})", TypeError)
         self._quantity = type(value)
-        # A number without a dimension is an angle in radians to pint.
+        # pint takes a number without a dimension as an angle in radians.
         if unit == "rad" and self._angle is None and not value.unitless:
             self._angle = value.units
         return value.to(wanted).magnitude
 
     def give(self, value: Any, unit: str) -> Any:
-        """Return a result, or several, that is in a unit of the kernels in the caller's units."""
+        """Convert one or several results from a unit of the kernels to the caller's units."""
         if isinstance(value, tuple):
             return tuple(self.give(item, unit) for item in value)
         if self._quantity is not None:
@@ -108,11 +108,11 @@ class Units:
         return np.radians(np.radians(value)) if unit == "1/rad**2" else np.radians(value)
 
     def give_fields(self, found: Tuple, units: Mapping[str, str]) -> Tuple:
-        """Return several results by their names, those that `units` names in the caller's units."""
+        """Convert the results named in `units` to the caller's units."""
         given = {name: self.give(getattr(found, name), unit) for name, unit in units.items()}
         return found._replace(**given)
 
 
 def is_quantity(value: Any) -> bool:
-    """Say whether a value is a quantity of pint, which need not be installed."""
+    """Return whether a value is a pint quantity; pint need not be installed."""
     return hasattr(value, "_REGISTRY") and hasattr(value, "dimensionality")

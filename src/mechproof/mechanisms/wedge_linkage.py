@@ -1,8 +1,8 @@
 """Pusher, lever, rod, roller lever and wedge: a chain of four Assur groups with a clearance.
 
 Lengths are in millimetres, angles in radians, or in degrees with `degrees=True`, from Ox, positive
-counter-clockwise; displacements and rotations are counted from the position x1 = 0. Quantities of
-pint are taken and given back in their units.
+counter-clockwise; displacements and rotations are counted from the position x1 = 0. pint quantities
+are accepted and returned in their units.
 
 >>> from mechproof import WedgeLinkage
 >>> linkage = WedgeLinkage.published(1)
@@ -52,7 +52,7 @@ class WedgeLinkage(Displayed):
     alpha_DE, alpha_KL, alpha_LM : float
         Directions of the arms at x1 = 0 (rad), 0 < alpha_KL < pi.
     degrees : bool
-        Whether the directions are in degrees; no field.
+        Whether the directions are in degrees; not a field.
 
     Raises
     ------
@@ -89,9 +89,9 @@ class WedgeLinkage(Displayed):
     def published(cls, set: int) -> WedgeLinkage:
         """Return the nominal sizes of reconstruction 1 or 2 of Bazuev et al. 2021.
 
-        The sizes of the paper cannot be read in full. Set 1 changes one digit of l_BC and meets
-        the crossing at -29.4 mm and the largest spread at -40 mm; set 2 meets the crossing and
-        deviations of 10 %. Both were fitted to the crossing: it does not confirm them.
+        The sizes in the paper are not fully legible. Set 1 changes one digit of l_BC and meets the
+        crossing at -29.4 mm and the largest spread at -40 mm; set 2 meets the crossing and
+        deviations of 10 %. Both were fitted to the crossing, so it does not confirm them.
         """
         sizes = cls.published_sizes(set).items()
         nominal: dict[str, Any] = {name: size.nominal for name, size in sizes}
@@ -101,7 +101,7 @@ class WedgeLinkage(Displayed):
     def published_sizes(set: int) -> dict[str, Size]:
         """Return the sizes of reconstruction 1 or 2 with their limits (mm, rad).
 
-        The digits of l_BC and l_DE and two deviations cannot be read; both sets are fitted to the
+        The digits of l_BC and l_DE and two deviations are illegible; both sets are fitted to the
         printed crossing of two boundary curves at x1 = -29.4 mm.
         """
         from mechproof.tolerance import Size
@@ -130,7 +130,7 @@ class WedgeLinkage(Displayed):
     def velocity(self, x1: ArrayLike) -> Any:
         """Return dy9/dx1, the velocity of the wedge at unit speed of the pusher.
 
-        0 before contact; at its start the value in contact. Raises as `position`.
+        0 before contact; at the start of contact, the value in contact. Raises as `position`.
         """
         units = Units()
         moved = units.take("x1", x1, "mm")
@@ -138,7 +138,7 @@ class WedgeLinkage(Displayed):
         return units.give(kernels.velocity(moved, **asdict(self)), "1")
 
     def sensitivities(self, x1: ArrayLike, *, degrees: bool = False) -> dict[str, Any]:
-        """Return the derivative of y9 by every size (mm per mm, rad or °). Raises as `position`."""
+        """Return dy9/d(size) for every size (mm per mm, rad or °). Raises as `position`."""
         units = Units(degrees)
         moved = units.take("x1", x1, "mm")
         self._check_reach(moved)
@@ -169,11 +169,11 @@ class WedgeLinkage(Displayed):
         Raises
         ------
         TypeError, ValueError
-            Names the size whose deviations are no pair, no real numbers or not in order.
+            Names the size whose deviations are not a pair, not real numbers or not in order.
 
         Notes
         -----
-        No bound over the box of sizes: `mechproof.tolerance.certified_range` gives one.
+        No bound over the box of sizes; `mechproof.tolerance.certified_range` gives one.
         Combinations outside the reach of the linkage are counted in `undefined`.
 
         """

@@ -1,1 +1,1 @@
-"""Every drive of a cylindrical and an oval pair that dwells, by whole teeth and eccentricities."""
+"""Search for all drives of a cylindrical and an oval pair that dwell, by teeth and eccentricity."""

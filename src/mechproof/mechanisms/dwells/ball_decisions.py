@@ -1,4 +1,4 @@
-"""What is certain of a drive of oval wheels, in balls: decisions that are True, False or open."""
+"""Certain facts about a drive of oval wheels, in balls: decisions that are True, False or open."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class Open(ArithmeticError):  # noqa: N818
 
 
 def as_ball(number: Any) -> Any:
-    """Return the ball of an exact number, or what is one."""
+    """Return the ball of an exact number; a ball stays as it is."""
     from flint import arb, fmpq
 
     if isinstance(number, Fraction):
@@ -24,7 +24,7 @@ def as_ball(number: Any) -> Any:
 
 
 def is_above(left: Any, right: Any) -> Decision:
-    """Say whether left >= right, of fractions exactly; None where balls cannot tell."""
+    """Return whether left >= right, exactly for fractions; None if balls cannot tell."""
     if isinstance(left, Fraction) and isinstance(right, Fraction):
         return left >= right
     difference = as_ball(left) - as_ball(right)
@@ -32,14 +32,14 @@ def is_above(left: Any, right: Any) -> Decision:
 
 
 def sure(decision: Decision, what: str) -> bool:
-    """Return a decision; raise `Open` where there is none."""
+    """Return a decision; raise `Open` if there is none."""
     if decision is None:
         raise Open(what)
     return decision
 
 
 class EnclosedDrive:
-    """A drive of R4/R5 = k, both exact, seen in balls from the place where it is first slow."""
+    """A drive with exact R4/R5 = k, enclosed in balls from the place where it is first slow."""
 
     def __init__(self, k: Fraction, e: Fraction) -> None:
         q = (1 - e) / (1 + e)
@@ -55,7 +55,7 @@ class EnclosedDrive:
         return k * q < 1 if self.sign > 0 else k * q > 1
 
     def moved(self, d: Any) -> Any:
-        """By how much the output has moved back at d from the place, |k d| < pi."""
+        """How far the output has moved back at d from the place, |k d| < pi."""
         from flint import arb
 
         sine, cosine = (self.k * d).sin_cos()
@@ -63,12 +63,12 @@ class EnclosedDrive:
 
     @property
     def top(self) -> Any:
-        """By how much it has moved where it turns (row "dwells, how far the output turns back")."""
+        """How far it has moved where it turns (row "dwells, how far the output turns back")."""
         t = ((1 - self.k * self.q) / (self.q * (self.k - self.q))).sqrt()
         return self.sign * (t.atan() / self.k - (self.q * t).atan())
 
     def goes_back(self, d: Any) -> Decision:
-        """Say whether `moved` rises at d."""
+        """Return whether `moved` rises at d."""
         sine, cosine = (self.k * d).sin_cos()
         speed = self.k * self.q / (cosine**2 + self.q**2 * sine**2)
         back = self.sign * (1 - speed)

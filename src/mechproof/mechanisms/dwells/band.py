@@ -3,8 +3,8 @@
 About x = pi for R4 > R5, about x = 0 for R4 < R5, the output is first slow: at d from there it has
 moved by d - arctan(q tan(k d)) (rows "dwells, position from ..."), the arctangent continued. That
 counts here as `moved`, positive while the output turns back. Up to q k = 1 it does not turn back,
-and the longest interval in a band lies about the place. Beyond, while it turns back by no more than
-half the band, still; then it lies about an angle where the output turns.
+and the longest interval in a band lies about the place. Beyond, this still holds while it turns
+back by no more than half the band; then the interval lies about an angle where the output turns.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Swing(NamedTuple):
         return math.pi / (2 * self.k)
 
     def moved(self, d: float) -> float:
-        """By how much the output has moved back, less than a period from the place."""
+        """How far the output has moved back, less than a period from the place."""
         driver = self.k * d
         driven = math.atan2(self.q * math.sin(driver), math.cos(driver))
         return self.sign * (d - driven)
@@ -55,9 +55,9 @@ def start_swing(k: float, e: float) -> Swing:
 
 
 def find_longest(k: float, e: float, band: float) -> Interval:
-    """Return the longest interval, counted from the place, in which the output keeps within +-band.
+    """Return the longest interval, from the place, in which the output stays within +-band.
 
-    The drift in a period must be above the width of the band.
+    The drift in a period must exceed the width of the band.
     """
     swing = start_swing(k, e)
     turn = swing.turning
@@ -98,7 +98,7 @@ ALWAYS = (-math.inf, math.inf)
 def find_longest_dwell(one: OnePair, eta: Given | None, band: float | None) -> Interval:
     """Return the interval of `OvalPlanetary.longest_dwell`, of two pairs that act as one."""
     if (eta is None) == (band is None):
-        refuse("band", band, f"give it or eta, which is {eta!r}", TypeError)
+        refuse("band", band, f"give exactly one of band and eta = {eta!r}", TypeError)
     if band is None:
         limit = check_number("eta", eta)
         require(limit > 0, "eta", eta, "must be positive")
@@ -117,7 +117,7 @@ def _keep_within(one: OnePair, band: float) -> Interval:
         place, (start, end) = 0.0, find_longest_of_equal(e, band)
     else:
         drift = math.pi * abs(k - 1) / k
-        allowed = f"must be below half of what the output advances in a period, {drift / 2!r}"
+        allowed = f"must be below half the output's advance in a period, {drift / 2!r}"
         require(drift > 2 * band, "band", band, allowed)
         place = math.pi / (2 * k) if k > 1 else 0.0
         start, end = find_longest(k, e, band)

@@ -20,7 +20,7 @@ rests on these facts; "row" names a proved row of the ledger.
    interval about a turn ends it.
 6. In w of a period or more the output drifts by more than the band.
 
-What rests on 4 is asked for only where its conditions hold; else the ratio is left open.
+Fact 4 is used only where its conditions hold; otherwise the ratio is left open.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def _find_one(k: Fraction, asked: BandRequest) -> list[Span]:
     best = limit if peak is None else peak - MARGIN
     last = limit if peak is None else peak + MARGIN
     half = as_ball(asked.width) / 2
-    # It rises with e2: below zero at the last eccentricity, it is so at all.
+    # It rises with e2: if it is below zero at the last eccentricity, it is so everywhere.
     if EnclosedDrive(k, last).moved(half) + as_ball(asked.band) < 0:
         return []
     if not _holds(k, best, asked):
@@ -87,7 +87,7 @@ def _find_one(k: Fraction, asked: BandRequest) -> list[Span]:
 
 
 def _find_peak(k: Fraction, asked: BandRequest) -> Fraction | None:
-    """Return e2 at which the output turns back by the band, None if it is not reached."""
+    """Return e2 at which the output turns back by the band, None if there is none."""
     at_limit = EnclosedDrive(k, asked.largest_e)
     if not at_limit.turns_back or sure(
         is_above(as_ball(asked.band), at_limit.top), "M at the limit"
@@ -149,7 +149,7 @@ def _find_high(k: Fraction, peak: Fraction, asked: BandRequest) -> Fraction:
 
 
 def _check_monotone(k: Fraction, asked: BandRequest) -> None:
-    """Raise `Open` unless the swing grows with e2 as long as it is within the whole band."""
+    """Raise `Open` unless the swing grows with e2 while it is within the whole band."""
     first = abs(k - 1) / (k + 1)
     e = asked.largest_e
     while k < 1:
@@ -164,7 +164,7 @@ def _check_monotone(k: Fraction, asked: BandRequest) -> None:
 
 
 def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
-    """Decide in balls whether the output keeps in the band for the angle."""
+    """Decide in balls whether the output stays in the band for the angle."""
     drive, width, band = EnclosedDrive(k, e), as_ball(asked.width), as_ball(asked.band)
     if not drive.turns_back or sure(is_above(band, drive.top), "M = b"):
         return sure(is_above(drive.moved(width / 2), -band), "the width about the place")
@@ -176,7 +176,7 @@ def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
     if not as_ball(1).pi() / drive.k > end:
         raise Open("the interval about a turn is longer than a period")
     ends = drive.moved(start), drive.moved(end)
-    # An interval that starts sooner is lower at its start, one that starts later at its end.
+    # An interval that starts earlier is lower at its start, one that starts later at its end.
     if all(value >= bottom for value in ends):
         return True
     if all(value < bottom for value in ends):

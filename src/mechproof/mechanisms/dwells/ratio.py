@@ -2,11 +2,11 @@
 
 With v = 1 - ratio, the speed of wheel 3 against the carrier, the output is slow while
 1 - eta <= v <= 1 + eta, and v falls from x = 0 to x = pi. Such an interval lies about x = pi, about
-x = 0, or between both. About either, whether v is above u at an angle x from there is of the second
-degree in e2 (row "dwells, ratio within eta at an angle"). Between, the carrier passes from the one
-speed to the other in less of its angle the larger e2 is (row "dwells, time spent at a speed"). So
-all ends are roots in closed form, but for one that is the only root of a falling function. Drives
-whose ratio is within eta throughout rest, and are left out.
+x = 0, or between both. About either, whether v is above u at an angle x from there is a quadratic
+condition on e2 (row "dwells, ratio within eta at an angle"). Between them, the carrier passes from
+one speed to the other in less of its angle the larger e2 is (row "dwells, time spent at a speed").
+So all ends are roots in closed form except one, the only root of a decreasing function. Drives
+whose ratio is within eta throughout are at rest, and are left out.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def find_longest(k: Fraction, e: Fraction, eta: Fraction) -> float:
 def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
     """Return the intervals of eccentricities, from the least on.
 
-    Raises `Open` where they could not be decided.
+    Raises `Open` if they could not be decided.
     """
     speeds = Speeds(k, 1 - asked.eta, 1 + asked.eta)
     half = as_ball(k) * as_ball(asked.width)
@@ -150,7 +150,7 @@ def _find_about_0(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
 
 
 def _root_of(discriminant: Any) -> Any:
-    """Return the root of what is not negative; raise `Open` where that is not certain."""
+    """Return the root of a non-negative number; raise `Open` if its sign is not certain."""
     if not discriminant >= 0:
         raise Open("whether a discriminant is negative")
     return discriminant.sqrt()
@@ -183,15 +183,15 @@ def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
 
 # Where the carrier passes a dwell: about x = pi, about x = 0, or where the output turns.
 Place = Literal["slowest", "fastest", "turns"]
-# Ends of intervals that are no fractions are enclosed to this.
+# Ends of intervals that are not fractions are enclosed to this.
 MARGIN = Fraction(1, 10**9)
 
 
 class Span(NamedTuple):
-    """Eccentricities from `low` to `high` at which it dwells, where, and which are the best.
+    """Eccentricities from `low` to `high` at which a drive dwells, where, and the best of them.
 
     `exact` is the one at which the ratio has a double zero, if it is among them; at `best` the
-    dwell is longest, `width` of the carrier.
+    dwell is longest, with the carrier angle `width`.
     """
 
     place: Place

@@ -1,4 +1,4 @@
-"""Every drive of a cylindrical and an oval pair that dwells, by whole teeth: the search."""
+"""The search for all drives of a cylindrical and an oval pair that dwell, by tooth numbers."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ PLACES = {"slowest": "x = π", "fastest": "x = 0", "turns": "turns"}
 class Dwell(NamedTuple):
     """Drives that dwell: teeth of the cylindrical pair 4-5 and eccentricities of the oval pair.
 
-    From `low` to `high` the dwell is as wide as asked; at `best` it is longest, `width` of the
-    carrier (rad). `exact` is the eccentricity at which the ratio has a double zero, if it is among
-    them. `step` is by how much the output advances from one dwell to the next (rad). `place` is
-    where the carrier passes the dwell: "slowest", about x = pi, and "fastest", about x = 0, of
+    From `low` to `high`, the dwell is at least as long as asked; at `best` it is longest, with the
+    carrier angle `width` (rad). `exact` is the eccentricity at which the ratio has a double zero,
+    if it is among them. `step` is the advance of the output from one dwell to the next (rad).
+    `place` is where the carrier passes the dwell: "slowest" (about x = pi) and "fastest" (x = 0) of
     wheel 3 against the carrier, or "turns", where the output turns back. `larger` counts the pairs
-    within the limits that have the same ratio in more teeth.
+    within the limits that have the same ratio with more teeth.
     """
 
     z4: int
@@ -78,8 +78,8 @@ RANKS: dict[str, Callable[[Dwell], tuple[Any, ...]]] = {
 class Dwells:
     """All drives that dwell within the limits, ranked; printed as a table.
 
-    `pairs` of tooth numbers with `ratios` different ratios were examined. Of those in `open`, with
-    the reason, it could not be decided which eccentricities dwell; without them `complete`.
+    `pairs` of tooth numbers with `ratios` different ratios were examined. `open` has those, with
+    the reason, whose eccentricities could not be decided; without any, it is `complete`.
     """
 
     asked: str
@@ -90,7 +90,7 @@ class Dwells:
 
     @property
     def complete(self) -> bool:
-        """Whether every drive within the limits that dwells so is among the candidates."""
+        """Whether the candidates include every drive within the limits that dwells as asked."""
         return not self.open
 
     def __len__(self) -> int:
@@ -168,7 +168,7 @@ def _check(
     except ImportError as error:
         raise ImportError(tell_missing("find_dwells", "derive", error.name)) from error
     if (eta is None) == (band is None):
-        refuse("band", band, f"give it or eta, which is {eta!r}", TypeError)
+        refuse("band", band, f"give exactly one of band and eta = {eta!r}", TypeError)
     angle, limit = check_number("width", width), check_number("largest_e", largest_e)
     require(angle > 0, "width", width, "must be positive")
     require(0 < limit < 1, "largest_e", largest_e, "must be above 0 and below 1")
