@@ -20,9 +20,9 @@ from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
-# So near does the power method come to the norm; any vector gives a bound.
+# Steps of the power method, for a close bound: any positive vector gives a valid one.
 POWERS = 8
-# No less is a component of its vector.
+# Components of its vector are kept at least this large, as they are divided by.
 LEAST = 1e-3
 SLACK = 1 + 100 * EPS
 
@@ -42,7 +42,7 @@ class AffineMap:
         return [outputs[i * count : (i + 1) * count] for i in range(count)]
 
     def apply(self) -> StraightLineProgram:
-        """Return the steps of one order in which points are mapped."""
+        """Return the steps that map a point, its products summed in one order."""
         steps: list[Step] = []
         outputs: list[Operand] = []
         for i, row in enumerate(self.rows):
@@ -97,7 +97,7 @@ def measure_norm(components: Sequence[Any], arithmetic: Arithmetic) -> Any:
 def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
     """Bound the spectral norm of a matrix without negative entries.
 
-    With G = N^T*N its square is at most the largest quotient of components of G*x and x, x > 0.
+    With G = N^T*N, its square is at most the largest componentwise quotient of G*x and x, x > 0.
     """
     matrix = np.array([np.broadcast_arrays(*row) for row in cells])
     square = np.einsum("ki...,kj...->ij...", matrix, matrix)
@@ -106,10 +106,10 @@ def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
         moved = np.einsum("ij...,j...->i...", square, x)
         x = np.maximum(moved / np.max(moved, axis=0), LEAST)
     moved = np.einsum("ij...,j...->i...", square, x)
-    # By Collatz and Wielandt: whatever positive x is, so that the power method needs no proof.
+    # Collatz and Wielandt: a bound for any positive x, so that the power method needs no proof.
     return np.sqrt(np.max(moved / x, axis=0)) * SLACK
 
 
 def _add_roundings(count: int) -> float:
-    """Bound what so many roundings, one after the other, make of a number."""
+    """Bound the relative error of a number after so many roundings in a row."""
     return count * UNIT * (1 + EPS * count)

@@ -30,17 +30,18 @@ from mechproof.arithmetic.intervals import (
 )
 from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 
-# A tangent is taken through its reciprocal, which vanishes at the pole, from here on.
+# Size of an angle, in radians, from which its tangent is taken through the reciprocal, which
+# vanishes at the pole.
 STEEP = 0.9
-# Taylor: the quotients are 1 + c*z**2 + ..., |c| <= 1/3, within 1e-16 of 1 below.
+# Below this size, by Taylor, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16 of 1.
 TINY = 1e-8
 
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle that is a variable to a power, and what it is less whole turns.
+    """An angle that is a power of a variable, and what is left of it after whole turns.
 
-    Half a turn is taken off too if `is_half`.
+    If `is_half`, half a turn is taken off as well.
     """
 
     powers: Powers
@@ -53,7 +54,7 @@ class Turn:
         return monomial.powers == self.powers
 
     def count(self, monomial: IntervalMonomial, period: int) -> float:
-        """Return which multiple of the angle it is, to 1/period."""
+        """Return which multiple of the angle a monomial is, rounded to 1/period."""
         return round(float(np.mean(monomial.span.low)) * period) / period
 
     def reduce(self, monomial: IntervalMonomial, period: int) -> IntervalMonomial:
@@ -68,7 +69,7 @@ class Turn:
 
 
 def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> IntervalMonomial:
-    """Return the argument of a function, period the number of its periods in 2*pi."""
+    """Return a function's argument, reduced; `period` is the number of its periods in 2*pi."""
     if turn is None or not turn.holds(monomial):
         return monomial
     z = turn.reduce(monomial, period)
@@ -77,7 +78,7 @@ def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> Interv
 
 
 def over_argument(exact: Function, z: Interval) -> Interval:
-    """Return function(z)/z for an odd function, that quotient monotone in |z|."""
+    """Return function(z)/z for an odd function whose quotient is monotone in |z|."""
     size = z.size()
     return _quotient(exact, size.low).union(_quotient(exact, size.high))
 
@@ -86,7 +87,7 @@ def _quotient(exact: Function, size: Ends) -> Interval:
     tiny = size <= TINY
     safe = np.where(tiny, 1.0, size)
     found = apply(exact, safe) / Interval(safe, safe)
-    # Zero over zero is no number; below TINY the quotient is 1 but for less than a rounding.
+    # 0/0 is not a number; below TINY the quotient is within a rounding of 1.
     near = around(1.0, TINY**2)
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
@@ -94,7 +95,7 @@ def _quotient(exact: Function, size: Ends) -> Interval:
 def take_odd(
     monomial: IntervalMonomial, exact: Function, enclose: Callable[[Interval], Interval], end: float
 ) -> IntervalMonomial:
-    """Return an odd function, function(z)/z monotone up to an end, keeping what vanishes."""
+    """Take an odd function, function(z)/z monotone up to `end`, keeping the factors that vanish."""
     z = monomial.expanded()
     if any(monomial.powers) and min(monomial.powers) >= 0:
         inside = z.largest() < end
@@ -104,7 +105,7 @@ def take_odd(
 
 
 def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
-    """Return the tangent, near its pole by what is its reciprocal and vanishes there."""
+    """Return the tangent, near its pole through its reciprocal, which vanishes there."""
     one = monomial.variables.constant(ONE)
     if turn and turn.is_half and turn.holds(monomial) and turn.count(monomial, 2) % 1:
         rest = _take_tangent(turn.reduce(monomial, 2))
@@ -134,7 +135,7 @@ def take_cosine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomi
 
 
 def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
-    """Return the arctangent, of the reciprocal of what vanishes, too."""
+    """Return the arctangent, also of the reciprocal of what vanishes."""
     if min(monomial.powers, default=0) < 0 and (sign := monomial.decide_sign()):
         inverse = monomial.variables.constant(ONE) / monomial
         quarter = PI * exactly(0.5 * sign)
@@ -143,7 +144,7 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
 
 
 def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:
-    """Return the angle of a point, not finite where it may lie on the ray of half a turn."""
+    """Return the angle of a point; not finite where it may be half a turn, or undefined."""
     above, ahead = y.expanded(), x.expanded()
     masks = (ahead.low > 0, above.low > 0, above.high < 0)
     right, up, down = masks[0], masks[1] & ~masks[0], masks[2] & ~masks[0]

@@ -59,20 +59,21 @@ from mechproof.roundoff.rules import RULES, Slopes, enclose_rest
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, HALF, RESTS, Step, StraightLineProgram
 
-# Of the errors of numbers.
+# Precision, in bits, at which the rounding errors of constants are computed.
 CONSTANT_BITS = 256
-# Of these no value is beyond 1 in size.
+# Functions whose values never exceed 1 in size.
 LIMITED = ("sin", "cos")
 UNKNOWN = exactly(math.nan)
-# Of other kinds nothing can be bounded.
+# The kinds of operations whose rounding can be bounded.
 KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approximate"})
 
 
 @dataclass(frozen=True)
 class ErrorScale:
-    """What errors are relative to: a scale, or the value; whether it is at least the value.
+    """What errors are relative to: a scale or the value, and whether it is at least the value.
 
-    The value, if held, and `terms` add up to it; it is at least each of `least`; signs apart.
+    In absolute values: the value, if it is held, and `terms` add up to the scale, which is at least
+    each of `least`.
     """
 
     scale: IntervalMonomial | None
@@ -84,7 +85,7 @@ class ErrorScale:
 class ErrorAnalysis:
     """The steps over many boxes: values forward, derivatives in reverse.
 
-    Where it `has_grids` all inputs are doubles, but for those that are rounded first.
+    If it `has_grids`, all inputs are doubles, except for those that are rounded first.
     """
 
     def __init__(
@@ -101,7 +102,8 @@ class ErrorAnalysis:
         self.variables, self.turn, self.held = variables, turn, straight.held
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, IntervalMonomial] = dict(given)
-        # What is computed, its rounding known to be monotone; not what lies on the way to it.
+        # The results as they are computed, their rounding known to be monotone; `values` also hold
+        # all that lies between these and the exact ones.
         self.computed = {
             name: UNKNOWN if name in self._scaled else monomial.expanded()
             for name, monomial in given.items()
@@ -129,7 +131,8 @@ class ErrorAnalysis:
         if step.kind == "small_tangent":
             self._take_small_tangent(step, given[0])
         elif step.kind in RESTS:
-            # Of what is compensated: a rounding of its own, which nothing here moves.
+            # The rest of a compensated operation counts as a value of its own, which no operand
+            # moves.
             self._round(step, enclose_rest(given[2]), (None, None, None))
         elif step.kind in COMPARISONS or step.kind == CHOICE:
             self._decide(step, given)
@@ -138,7 +141,7 @@ class ErrorAnalysis:
         else:
             exact, slopes = RULES[step.kind](self.turn, *given)
             if step.proved and step.ulps:
-                # Of two arguments the place is that of their quotient.
+                # Tables of functions of two arguments are looked up by their quotient.
                 error = self._look_up(step, given[0] / given[1] if given[1:] else given[0]) * EPS
                 self._add(
                     step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
@@ -147,10 +150,10 @@ class ErrorAnalysis:
                 self._round(step, stated or exact, slopes, self._are_exact(step, given))
 
     def _decide(self, step: Step, given: Sequence[IntervalMonomial]) -> None:
-        """Take what a comparison or a choice gives.
+        """Take the result of a comparison or a choice.
 
-        Where roundings may turn the test the error is up to the difference of both sides (Goubault
-        and Putot 2013), besides their own.
+        Where roundings may flip the test, the error may be as large as the difference of both sides
+        (Goubault and Putot 2013), besides their own errors.
         """
         exact, slopes = RULES[step.kind](self.turn, *given)
         jump: Ends = np.float64(0.0)
@@ -172,7 +175,7 @@ class ErrorAnalysis:
         self.values[step.result] = self.variables.constant(exact.union(exactly(double)))
 
     def _look_up(self, step: Step, monomial: IntervalMonomial) -> Ends:
-        """Return by how many eps of itself a function is off by what is proved of it."""
+        """Return the proved bound of a function's error, in eps of its value."""
         assert self._find_profile is not None
         error_table, argument = self._find_profile(step.proved), monomial.expanded()
         if error_table.is_of_angles:
@@ -200,7 +203,8 @@ class ErrorAnalysis:
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         if step.ulps <= HALF and step.kind in LIMITED:
-            # Rounded right, what is at most 1 stays so; a library that is off by more may pass it.
+            # Correctly rounded, a value of at most 1 stays so; a library that is off by more may
+            # exceed it.
             found = RoundedEndpoints(within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
@@ -210,7 +214,8 @@ class ErrorAnalysis:
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
             if step.result in self._scaled:
-                # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
+                # The terms of a scaled result are doubles, too, but with a factor nobody knows
+                # their spacing.
                 limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
                 limit = take_least(limit, limit_by_terms(step.kind, given))
@@ -242,7 +247,7 @@ class ErrorAnalysis:
         absolute: Ends | None,
         computed: Interval,
     ) -> None:
-        """Add a step with the sizes of its error, of itself and absolute."""
+        """Add a step with the size of its error, relative to the value and absolute."""
         if step.result in self._scaled:
             computed = UNKNOWN
         self.rounded.append(RoundedStep(step, exact, slopes, relative, absolute))
@@ -254,7 +259,7 @@ class ErrorAnalysis:
         """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
         size = angle.expanded().largest()
         off = np.where(size <= 1, size**2, np.nan) * (1 + EPS)
-        # Beyond a turn it is small as a number, not as a share of the angle.
+        # With whole turns taken off it is small as a number, not as a share of the whole angle.
         small = self.turn.share(angle) if self.turn else angle
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
@@ -265,7 +270,7 @@ class ErrorAnalysis:
         if step.kind != "subtract" or step.result in self._scaled:
             return False
         one, other = (monomial.expanded() for monomial in given)
-        # Sterbenz's lemma (1974); of negative numbers both cannot hold.
+        # Sterbenz's lemma (1974); for negative numbers the two conditions cannot both hold.
         return (2 * other.low >= one.high) & (other.high <= 2 * one.low)
 
     def sum_errors(self, output: Operand, bar: ErrorScale) -> Ends:
@@ -274,7 +279,8 @@ class ErrorAnalysis:
         if bar.terms and (bar.scale is None or np.any(bar.scale.is_wide)):
             shares = self._list_shares(output, bar).values()
             total = take_least(total, spread([*shares], len(bar.terms) + bar.holds_value))
-        # The value that errors are a share of is that of the steps with part of their roundings.
+        # The first factor covers the roundings of the sum; the second is there because errors are
+        # relative to a value that part of the roundings have already moved.
         total = total * (1 + EPS * len(self.rounded)) * (1 + 2 * EPS * total)
         return np.where(np.isfinite(total), total, np.inf)
 
@@ -288,22 +294,23 @@ class ErrorAnalysis:
         return {r: take_least(*found) for r, found in self._list_shares(output, bar).items()}
 
     def _list_shares(self, output: Operand, bar: ErrorScale) -> dict[str, list[Ends]]:
-        """Bound it in eps of each of what the scale is at least."""
+        """Bound what each step adds, in eps of each quantity that the scale is at least."""
         scales = self._list_scales(output, bar)
         inverses = [self._one / scale for scale in scales]
-        # Relative to itself the output has its condition number from the start.
+        # Relative to itself, the output has a condition number from the start: 1.
         value = self.value(output)
         carried = CarriedConditions(output, [ONE if s is value else UNKNOWN for s in scales])
         slopes = {output: self._one}
         errors: dict[str, list[Ends]] = {}
         numbers = None
-        # Once backwards for all steps: what an output owes to each is known when it is met.
+        # One backward pass serves all steps: when a step is met, its whole effect on the output is
+        # known.
         for rounded in reversed(self.rounded):
             slope = slopes.pop(rounded.step.result, None)
             if slope is None or rounded.step.result in self.held:
                 continue
             if rounded.known is not None:
-                # Errors that are known add up with their signs.
+                # The errors of constants are known, so that they add up with their signs.
                 part = (slope * rounded.exact).scaled(rounded.known)
                 numbers = part if numbers is None else numbers + part
                 continue
@@ -318,7 +325,8 @@ class ErrorAnalysis:
             if rounded.step.result == output and np.any(rounded.relative):
                 shares = errors[rounded.step.result]
                 if bar.holds_value:
-                    # The rounding of the value itself, of which the scale has no less.
+                    # The last rounding is a share of the value, and the scale is no less than the
+                    # value.
                     place = len(shares) - len(bar.terms) - 1
                     shares[place] = take_least(shares[place], rounded.relative / EPS)
                 elif bar.least:
@@ -336,7 +344,7 @@ class ErrorAnalysis:
         return errors
 
     def _compare_terms(self, step: Step, inverses: Sequence[IntervalMonomial]) -> Ends:
-        """Bound a sum by what its terms are beside what the scale is at least."""
+        """Bound a sum by its terms, each as a multiple of what the scale is at least."""
         if step.kind not in ("add", "subtract"):
             return np.inf
         a, b = (self.value(operand) for operand in step.operands)
@@ -344,7 +352,7 @@ class ErrorAnalysis:
             take_least(*((term * inverse).expanded().largest() for inverse in inverses))
             for term in (a, b)
         )
-        # What is left of two, one taken off the other, is not larger than both.
+        # The difference of two values of one sign is no larger than the larger of them.
         is_difference = a.decide_sign() * b.decide_sign() == (-1 if step.kind == "add" else 1)
         return np.maximum(one, other) if is_difference else one + other
 

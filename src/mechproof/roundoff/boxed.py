@@ -51,15 +51,16 @@ Range = tuple[Fraction, Fraction]
 BITS = 256
 DRAWN, SEED = 400, 1
 BY_LONG_DOUBLES, ROUNDS = Schedule(300, 4), 100
-# Nearer to where the next double begins a real number may be rounded there.
+# Largest share of the way to where the next double begins: nearer to it a real number might be
+# rounded to that double.
 NEAREST = 1 - 2.0**-20
 
 
 @dataclass(frozen=True)
 class Convention:
-    """What is counted: inputs that are rounded, an error relative to the value.
+    """What counts as the error: whether inputs are rounded, and if it is relative to the value.
 
-    `ulps` is what a function of a library is off by at most, in ulps of its result.
+    `ulps` is the largest error of a function of a library, in ulps of its result.
     """
 
     rounded_inputs: bool = False
@@ -90,7 +91,7 @@ class BoxedProgram:
             bar = ErrorScale(None, True) if relative else ErrorScale(one, False)
             return np.broadcast_to(analysis.sum_errors(self.straight.outputs[0], bar), len(part))
 
-        # A power of two: nothing is rounded.
+        # EPS is a power of two, so that this product is exact.
         return bound_in_groups(compute, boxes) * EPS
 
     def _analyse(self, boxes: Boxes, forced: tuple[int, ...]) -> ErrorAnalysis:
@@ -128,9 +129,9 @@ def put_in_box(
 
 
 def _state_error(step: Step, convention: Convention) -> Step:
-    """Return a step with what is known of its error, of a quotient of two numbers as of one.
+    """Return a step with what is known of its error; a quotient of two numbers becomes one number.
 
-    To nearest, a quotient of two numbers is the double that is nearest to the fraction.
+    Rounded to nearest, such a quotient is the double that is nearest to the fraction.
     """
     if step.kind == "divide" and not any(isinstance(o, str) for o in step.operands):
         above, below = (Fraction(o) for o in step.operands)
@@ -145,7 +146,7 @@ def _round_inputs(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _enclose(name: str, ends: Range, convention: Convention) -> Side:
-    """Return the doubles of a range, or those between which its real numbers lie."""
+    """Return the outermost doubles in a range or, if inputs are rounded, those around it."""
     low, high = (float(end) for end in ends)
     inward = not convention.rounded_inputs
     if low != ends[0] and (low < ends[0]) is inward:
@@ -191,7 +192,7 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
 
 
 def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
-    """Return the error at exact inputs, as balls have it; -1 outside the ranges, or near zero."""
+    """Return the error at exact inputs, measured in balls; -1 outside the ranges or near zero."""
     if any(not low <= at[name] <= high for name, (low, high) in program.ranges.items()):
         return -1.0
     given = {name: np.float64(float(value)) for name, value in at.items()}
@@ -207,7 +208,7 @@ def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
         exact = look_up(values, program.straight.outputs[0], IN_BALLS)
         error = abs(arb(float(found)) - exact)
         error = error / abs(exact) if program.convention.relative else error
-        # The lower end: as much it is for certain.
+        # The lower end of the ball: the error is certainly as large as that.
         return float(error.lower()) if error.is_finite() else -1.0
 
 
@@ -219,7 +220,7 @@ def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:
 
 
 def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:
-    """Yield the real numbers of doubles and of their shares."""
+    """Yield the real numbers that doubles and shares of the way to the next ones stand for."""
     shares = point[count:] or [0.0] * count
     for double, share in zip(point[:count], shares, strict=True):
         share = min(max(share, -NEAREST), NEAREST)
@@ -228,7 +229,7 @@ def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:
 
 
 def _estimate(program: BoxedProgram, points: Points) -> Array:
-    """Measure in long doubles, nearly; -1 outside the box."""
+    """Estimate the error in long doubles; -1 outside the box."""
     count = len(program.box)
     doubles = points[:count]
     inside = np.ones(len(doubles[0]), bool)

@@ -38,13 +38,13 @@ class Branch:
         return keep_needed(replace(self.straight, outputs=(self.tested,), held=(), scaled=()))
 
     def find_taken(self, computed: IntervalMonomial) -> Mask:
-        """Say where it may be taken, by what the result may be as it is computed."""
+        """Say where the branch may be taken, by what the tested result may be as it is computed."""
         variables, powers = computed.variables, computed.powers
         if not variables.is_positive(powers):
             return True
         if self.is_negative:
             return ~(computed.span.low >= 0)
-        # What vanishes with a variable is not negative there.
+        # A result that vanishes with a variable is zero there, not negative.
         return ~((computed.span.high < 0) & variables.never_vanish(powers))
 
 
@@ -60,7 +60,7 @@ def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
 
 
 def _find_tested(straight: StraightLineProgram) -> str:
-    """Return the result by whose sign everything is chosen; nothing, if there is no such one."""
+    """Return the result whose sign decides every choice; empty if there is no single one."""
     tests = {step.result: step for step in straight.steps if step.kind == TEST}
     choices = (str(step.operands[0]) for step in straight.steps if step.kind == CHOICE)
     tested = {tests[name].operands if name in tests else () for name in choices}
@@ -71,7 +71,7 @@ def _find_tested(straight: StraightLineProgram) -> str:
 
 
 def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> StraightLineProgram:
-    """Return the steps of a sign: the absolute value of the tested result is that, or its negative.
+    """Return the steps for one sign: the tested result's absolute value is itself, or its negative.
 
     The tested result stays, needed or not.
     """
@@ -100,7 +100,7 @@ def _are_equal(one: Branch, other: Branch) -> bool:
     try:
         return all(is_zero(a - b, relations) for a, b in zip(*sides, strict=True))
     except sp.PolynomialError:
-        # Of roots of quotients, say.
+        # SymPy raises this for roots of quotients, for instance.
         return False
 
 

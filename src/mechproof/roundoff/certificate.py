@@ -30,10 +30,11 @@ from mechproof.roundoff.term_sums import SEARCHED
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
-# The most boxes of all regions that may show a bound, and of those with many sides, across each of
-# which a cut is tried.
+# The most boxes, over all regions, that may show a bound. Boxes with many sides get fewer, as a cut
+# is tried across each side.
 MOST, MOST_OF_MANY, MANY_SIDES = 16000, 500, 10
-# Where the search for the lowest bound starts, where it ends, and how near it comes.
+# Where the search for the lowest bound starts and gives up, in eps, and how near it comes, as a
+# share of the bound.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
 SEED = 1
@@ -105,7 +106,7 @@ def list_digests(paper: Paper) -> list[str]:
 
 
 def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
-    """Return the paper with what is proved told by its forms."""
+    """Return the paper with forms that tell what is proved of them."""
     if certificate is None:
         return paper
     claims: dict[tuple[str, str], list[RoundingClaim]] = {}
@@ -133,7 +134,7 @@ def _tell_form(
 
 
 def tell_place(places: Sequence[str]) -> str:
-    """Say for which arguments something is proved, behind a word; nothing, if for all."""
+    """Say, as a clause to append, for which arguments something is proved; empty if for all."""
     return f", where {' or '.join(places)}" if places else ""
 
 
@@ -148,7 +149,7 @@ def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
 
 
 def tell_bound(claim: RoundingClaim) -> str:
-    """Write a bound in full, in eps: one that is rounded down is none."""
+    """Write a bound in full, in eps: rounded down it would not be a bound."""
     return f"{claim.proved:g}" + (f" + {claim.each:g}*(n - 1)" if claim.each else "")
 
 
@@ -167,9 +168,9 @@ def _key(subject: ComputedStage) -> tuple[str, str, str]:
 def holds(
     subject: ComputedStage, claim: RoundingClaim, shown: Sequence[RoundingClaim] = ()
 ) -> bool:
-    """Say whether a claim is about these steps and proved, and its input not off by more.
+    """Say whether a claim is about these steps, is proved, and has an input that is off by no more.
 
-    What is shown of the same steps, computed in another way, is not shown again.
+    Bounds that were shown of the same steps, computed in another way, are not shown again.
     """
     told = claim.program, claim.assumptions, claim.where, claim.each
     if told != (subject.digest, subject.assumptions, subject.where, subject.each):
@@ -195,7 +196,7 @@ def is_shown(subject: ComputedStage, claim: RoundingClaim) -> bool:
         heights = np.concatenate([*_bound_again(subject, read_cuts(claim.cuts))])
     except ValueError:
         return False
-    # Two numbers of so many digits: the largest bound may lie on one of them.
+    # Two units of the last digit: the largest bound may lie exactly on a rounded number.
     is_least = claim.proved - heights.max() < 2 * 10**-DIGITS
     return bool(
         len(heights) == claim.boxes and is_least and np.all(are_below(heights, claim.proved))
@@ -290,7 +291,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
 
 
 def _lower_bound(subject: ComputedStage, low: float) -> float:
-    """Return the lowest bound above another that can be shown, nearly, in hundredths of an eps."""
+    """Return nearly the lowest bound above `low` that can be shown, in hundredths of an eps."""
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, _limit(subject))):
         low, high = high, 2 * high

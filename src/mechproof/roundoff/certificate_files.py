@@ -19,8 +19,8 @@ from mechproof.tools.cache import Store, make_key
 
 FOLDER = "certificates"
 CERTIFIED = Store("certified.json")
-# Of the package: what proves, what fits and encloses functions, what low words are, what
-# programs, operations and balls are.
+# Files of the package that proofs rest on: the proofs themselves, the fits and enclosures of
+# functions, the error-free transformations, and the meaning of programs, operations and balls.
 SOURCES = (
     *("roundoff/*.py", "programs/elementary/*.py", "kernel_support/*.py"),
     *("programs/program.py", "programs/operations.py", "programs/trace.py", "arithmetic/*.py"),
@@ -56,7 +56,7 @@ def certify_paper(paper: Paper, directory: Path, *, use_cache: bool) -> Certific
     path = directory / _name(paper.system)
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
     known = None
-    # What cannot be read is written anew, and shown as a difference.
+    # A file that cannot be read is written anew, and shows up as a difference.
     with suppress(ValueError):
         known = read_certificate(text, str(path))
     if known and use_cache and _key(paper, text) in CERTIFIED.read():

@@ -21,11 +21,12 @@ from mechproof.kernel_support.order import step_ulps
 Column = NDArray[Any]
 Points = tuple[Column, ...]
 Measure = Callable[[Points], Column]
-# Moves: up to 2**k ulps, or by a factor 1 + u * 10**-k.
+# Exponents of the sizes of moves: about 2**MOST_ULPS ulps at most, or by a factor 1 + u * 10**k,
+# with k from the finest to the widest.
 MOST_ULPS, FINEST_MOVE, WIDEST_MOVE = 30.0, -16.0, -1.0
-# Of the points, this share is moved in one argument, and this in some by one factor.
+# Shares of the points that are moved in one argument alone, and in some arguments by one factor.
 ALONE, TOGETHER = 0.4, 0.4
-# So many of those that long doubles find are judged by balls.
+# How many of the worst points that long doubles find are judged by balls.
 JUDGED = 24
 
 
@@ -63,7 +64,7 @@ def climb(
     rng: np.random.Generator,
     inside: Measure | None = None,
 ) -> Population:
-    """Return the worst after so many rounds; no child is outside, if that is told."""
+    """Return the worst points after so many rounds; with `inside`, no child is outside."""
     population = _select(_weigh(measure, start), schedule.survivors)
     for _ in range(rounds):
         parents = tuple(np.repeat(c, schedule.children, axis=0) for c in population.points)
@@ -83,11 +84,11 @@ def climb_and_judge(
     rounds: int,
     rng: np.random.Generator,
 ) -> Population:
-    """Climb by estimates and judge the worst by balls; by these all the way without estimates."""
+    """Climb by estimates and judge the worst by balls; without estimates, climb by balls alone."""
     if estimate is None:
         return climb(judge, start, BY_BALLS, rounds, rng)
     found = climb(estimate, start, schedule, rounds, rng)
-    # What is left of a population of few may lie beyond the domain.
+    # In a small population some survivors may lie outside the domain, with a height of -1.
     known = np.flatnonzero(found.heights >= 0)[:JUDGED]
     return replace(_weigh(judge, tuple(c[known] for c in found.points)), tried=found.tried)
 
@@ -107,7 +108,7 @@ def gather(one: Population, other: Population, most: int) -> Population:
 
 def _select(population: Population, most: int) -> Population:
     """Keep the worst, each place once."""
-    # Twice as many as are kept: some are one place, where a child did not move.
+    # Twice as many as are kept, because some coincide: those whose child did not move.
     order = np.argsort(-population.heights, kind="stable")[: 2 * most]
     rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in population.points])
     _, first = np.unique(rows, axis=0, return_index=True)
@@ -149,7 +150,7 @@ def _draw_factors(size: Any, rng: np.random.Generator) -> Column:
 
 
 def _move(column: Column, rng: np.random.Generator) -> Column:
-    """Move some numbers, others stay; of every other vector or matrix all."""
+    """Move some of the numbers; of vectors or matrices, move only about every other one."""
     # Errors jump from double to double: steps of all sizes, and no slope to follow.
     steps = np.rint(rng.normal(size=column.shape) * 2.0 ** rng.uniform(0, MOST_ULPS, column.shape))
     factor = _draw_factors(column.shape, rng)

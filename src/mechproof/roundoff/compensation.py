@@ -42,7 +42,7 @@ Pair = tuple[sp.Expr, sp.Expr]
 
 
 def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps with what is compensated held; ValueError where a rest is no low word."""
+    """Return the steps, holding what is compensated; ValueError where a rest is no low word."""
     straight = take_powers_last(straight)
     products = _list_rounded(straight, PRODUCT_REST)
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
@@ -61,7 +61,7 @@ def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
 def _is_still(
     straight: StraightLineProgram, name: str, products: Sequence[str], output: Operand
 ) -> bool:
-    """Return whether no rounded value moves an output, as its rests and products see it."""
+    """Say whether an output does not depend on how a product or a quotient is rounded."""
     symbols = (*straight.inputs, *CONSTANTS)
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in symbols}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
@@ -76,7 +76,8 @@ def _is_still(
             for operand in step.operands
         ]
         if step.result in products:
-            # A double whose rounding is a matter of its own.
+            # Other products are doubles as they stand here: their roundings have turns of their
+            # own.
             values[step.result] = (sp.Symbol(f"rounded {step.result}"), sp.S.Zero)
         else:
             values[step.result] = _differentiate(step, given)
@@ -108,12 +109,12 @@ def _find_slopes(
     return meaning, letters, tuple(meaning.diff(letter) for letter in letters)
 
 
-# Sums take their terms as they are.
+# Kinds that pass on powers of two from their operands. Sums take their terms as they are.
 _PRODUCTS = ("multiply", "divide", "square", *RESTS)
 
 
 def take_powers_last(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return steps in which a rest is of what is rounded, not of a power of two times it."""
+    """Return steps in which rests belong to rounded results, not to powers of two times these."""
     made = {step.result: step for step in straight.steps}
     rests = [made.get(str(step.operands[2])) for step in straight.steps if step.kind in RESTS]
     if not any(product and _find_factor(product) for product in rests):
@@ -122,7 +123,7 @@ def take_powers_last(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _find_factor(step: Step) -> tuple[Operand, int] | None:
-    """Return the operand and the exponent of what is multiplied by a power of two."""
+    """Return the operand and the exponent of a step that multiplies by a power of two."""
     if step.ulps != EXACT or step.kind not in ("multiply", "divide"):
         return None
     first, second = step.operands
@@ -150,7 +151,7 @@ class _Mover:
     def __init__(self, straight: StraightLineProgram) -> None:
         self._straight = straight
         self._steps: list[Step] = []
-        # Of results that are others times powers of two.
+        # For results that are others times powers of two: the other and the exponent.
         self._known: dict[Operand, tuple[Operand, int]] = {}
         self._written: dict[tuple[Operand, int], str] = {}
 
@@ -193,7 +194,7 @@ class _Mover:
 
 
 def find_scaled(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps with what is scaled told; ValueError where an output depends on a scale."""
+    """Return the steps, naming what is scaled; ValueError where an output depends on a scale."""
     known: dict[Operand, Degree] = {}
     for step in straight.steps:
         given = [known.get(operand, NONE) for operand in step.operands]

@@ -18,7 +18,7 @@ from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT, HALF, Expansion
 
 WAY = "compiled"
-# Whose error is what is proved.
+# Stands for an error that is proved of the function as a whole.
 PROVED = float("inf")
 PARTS = ("tangent_above", "tangent_below")
 
@@ -26,9 +26,9 @@ PARTS = ("tangent_above", "tangent_below")
 def _expand(
     inputs: str, *steps: tuple[str, str, str], proved: str = "", **errors: float
 ) -> Expansion:
-    """Return the program of steps, each a result, a kind and operands of one letter.
+    """Return an expansion into steps, each a result, a kind and operands of one letter.
 
-    `errors` are what results are off by, in eps, or that it is what is proved of a function.
+    `errors` are those of the results in eps, or `PROVED`.
     """
     operations = tuple(Operation(result, kind, tuple(given)) for result, kind, given in steps)
     known = {result: proved for result, off in errors.items() if off == PROVED}
@@ -48,7 +48,7 @@ def _expand_part(kind: str) -> Expansion:
 
 
 def _expand_tangent_quotient() -> Expansion:
-    """Take the two parts of the tangent for steps, whatever made them."""
+    """Take the two parts of the tangent as single steps, whatever computes them."""
     program = build("tangent_quotient", DOUBLE).program
     angle = program.inputs[0]
     parts = {find_part(program, kind): kind for kind in PARTS}
@@ -62,7 +62,7 @@ def _expand_tangent_quotient() -> Expansion:
 
 
 def find_part(program: Program, kind: str) -> str:
-    """Return the result that is computed as a part of a tangent is; ValueError without one."""
+    """Return the result that is computed as this part of a tangent is; ValueError without one."""
     part = build(kind, DOUBLE).program
     meant = _describe(part)[str(part.outputs[0])]
     for result, found in _describe(program).items():
@@ -72,7 +72,7 @@ def find_part(program: Program, kind: str) -> str:
 
 
 def _describe(program: Program) -> dict[str, str]:
-    """Return how each result is computed of the inputs."""
+    """Describe how each result is computed from the inputs."""
     texts: dict[Operand, str] = {name: name for name in program.inputs}
     for step in program.operations:
         given = ", ".join(texts.get(o, repr(o)) for o in step.operands)
@@ -84,12 +84,12 @@ def _describe(program: Program) -> dict[str, str]:
 def list_expansions() -> Mapping[str, Expansion]:
     """Return the expansions of what compiled kernels call."""
     for kind in PARTS:
-        # The proof is about the parts of the tangent.
+        # What is proved of the tangent is proved of its parts, so these must be found in it.
         find_part(build("tan", DOUBLE).program, kind)
     return MappingProxyType(
         {
             **{k: _expand("y", ("q", k, "y"), proved=k, q=PROVED) for k in ("sin", "cos")},
-            # The exact quotient of its two parts, which is rounded.
+            # The quotient of its two parts, exact at first, is rounded in a step of its own.
             "tan": _expand(
                 "y", ("w", "tan", "y"), ("q", "copy", "w"), proved="tan", w=PROVED, q=HALF
             ),
@@ -101,7 +101,7 @@ def list_expansions() -> Mapping[str, Expansion]:
                 q=PROVED,
             ),
             "arctan2": _expand("ab", ("q", "arctan2", "ab"), proved="arctan2", q=PROVED),
-            # Without the power of two by which the sides are scaled: it moves no rounding.
+            # Without the power of two by which the sides are scaled: it changes no rounding.
             "hypot": _expand("ab", ("s", "square", "b"), ("w", "fma", "aas"), ("q", "sqrt", "w")),
             "tangent_quotient": _expand_tangent_quotient(),
             **{kind: _expand_part(kind) for kind in PARTS},

@@ -54,10 +54,10 @@ from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.term_sums import SEARCHED, TermSum, take_sum
 from mechproof.roundoff.written_scales import WrittenScale, write_scale
 
-# Compiled kernels have their own, of which nothing is proved.
+# Functions that compiled kernels compute in their own way, of which nothing is proved.
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
-# In doubles, as kernels compare with them.
+# The constants as doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
 
 
@@ -94,7 +94,7 @@ class ComputedStage:
 
     @property
     def basis(self) -> tuple[object, ...]:
-        """Return all that a bound of the error is computed from: of ways alike it is the same."""
+        """Return all that a bound is computed from: ways with the same basis share their bounds."""
         return (*self._bounded, self.map)
 
     @property
@@ -112,7 +112,7 @@ class ComputedStage:
 
     @property
     def where(self) -> tuple[str, ...]:
-        """Say for which arguments the bound is; nothing, if for all."""
+        """Say for which arguments the bound holds; empty if for all."""
         return tuple(dict.fromkeys(chart.text for chart in self.form.charts if chart.text))
 
     @property
@@ -131,7 +131,7 @@ class ComputedStage:
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded.
 
-        Of a set that is added up, that of one term.
+        For a sum over a set, this is the bound for one term.
         """
         found = self._bound_branches(region, boxes)
         return self.total.widen(found) if self.total else found
@@ -161,7 +161,7 @@ class ComputedStage:
     ) -> Array:
         evaluation, bar = self.evaluate(branch, region, part, forced)
         if self.total and not bar.holds_value:
-            # What each term adds is a share of the value.
+            # Each term adds a share of the value, which a scale without the value cannot bound.
             return np.full(len(part), np.inf)
         if self.map:
             return np.broadcast_to(self.map.bound(evaluation, bar), len(part))
@@ -198,7 +198,7 @@ class ComputedStage:
     ) -> list[ErrorAnalysis]:
         """Return all values of steps over boxes."""
         kinds = [step.kind for straight in straights for step in straight.steps]
-        # Where terms are told apart what vanishes cancels term by term.
+        # If the scale has terms of its own, sines and cosines that vanish cancel term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
         variables, monomials, turn = region.enter(boxes, kinds.count("tan"), forced, waves)
         names = input_names(self.kernel.quantity)
@@ -227,13 +227,13 @@ class ComputedStage:
         return np.array(run(self.straight, given, IN_DOUBLES))
 
     def complete(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Mapping[str, Any]:
-        """Return the values of arguments and of what is added up of them."""
+        """Return the values of arguments and of the sums over them."""
         return self.total.put_exact(given, arithmetic) if self.total else given
 
     def weigh(
         self, found: Sequence[Any], given: Mapping[str, Any], arithmetic: Arithmetic
     ) -> list[Any]:
-        """Return the errors of the outputs in eps of the scale, of a map that of their norm."""
+        """Return the errors of the outputs in eps of the scale; for a map, that of their norm."""
         exact = run(self.exact, given, arithmetic)
         apart = [
             arithmetic["number"](value) - true for value, true in zip(found, exact, strict=True)
@@ -248,7 +248,7 @@ class ComputedStage:
 
     @cached_property
     def inside(self) -> ChartMembership:
-        """Return what says where the bound is."""
+        """Return the test that tells where the bound holds."""
         return find_membership(self.form, input_names(self.kernel.quantity))
 
     def holds(self, points: Mapping[str, Any]) -> Any:
@@ -282,7 +282,7 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
 
 
 def _list_totals(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
-    """List the ways of computing what is made of the sum over a set."""
+    """List the ways of computing a result of a sum over a set."""
     ways = [(WAY, kernel, IN_NUMPY)]
     if kernel.is_shipped:
         ways.append((COMPILED_WAY, put_off_divisions(kernel), list_expansions()))
@@ -317,7 +317,7 @@ def _compile(
     if affine:
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
-    # Refused here, not when a bound is asked for.
+    # Raises ValueError here rather than later, when a bound is asked for.
     _list_branches(straight)
     computed = flatten_stage(compiled, {})
     return ComputedStage(

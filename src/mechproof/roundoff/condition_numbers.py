@@ -28,21 +28,22 @@ from mechproof.roundoff.rules import SOME, Slopes
 from mechproof.roundoff.steps import CHOICE, Step
 
 SUMS = ("add", "subtract", "fma")
-# Which operand is taken may not be known: by that it is 1, by the other 0.
+# By the operand that is taken the condition number is 1, by the other 0; which one that is may not
+# be known.
 CHOICES = ("maximum", "minimum", CHOICE)
 
 
 class CarriedConditions:
     """The condition numbers of an output by the steps that are still to be passed, scale by scale.
 
-    `starts` are those by the output itself.
+    `starts` are those by the output itself, one for each scale.
     """
 
     def __init__(self, output: Operand, starts: Sequence[Interval]) -> None:
         self._known: dict[Operand, list[Interval]] = {output: list(starts)}
 
     def take(self, result: Operand, others: Sequence[Interval]) -> list[Interval]:
-        """Return those by a step, of which others are known besides."""
+        """Return the condition numbers by a step, narrowed by others that are known for it."""
         known = self._known.pop(result, None)
         if known is None:
             return list(others)
@@ -55,9 +56,10 @@ class CarriedConditions:
         operands: Sequence[Operand],
         numbers: Sequence[Interval | None],
     ) -> None:
-        """Pass a step, by which the output has these and which has its own by its operands.
+        """Pass a step: what the output owes to it, it owes to the step's operands.
 
-        By its own rounding it is moved by at most a share.
+        `conditions` are the output's condition numbers by the step, `numbers` those of the step by
+        its operands, `moved` the largest share by which its rounding moves it.
         """
         own = around(1.0, moved * (1 + 4 * EPS))
         for operand, number in zip(operands, numbers, strict=True):
@@ -76,7 +78,7 @@ def find_condition_numbers(
     exact: IntervalMonomial,
     slopes: Sequence[IntervalMonomial | None],
 ) -> list[Interval | None]:
-    """Return those of a step by its operands; None where it does not move with one."""
+    """Return the condition numbers of a step by its operands; None for one that has no effect."""
     if kind in CHOICES:
         return [None if slope is None else SOME for slope in slopes]
     if powers := _find_powers(kind, len(given)):
@@ -99,7 +101,7 @@ def find_condition_numbers(
 
 @cache
 def _find_powers(kind: str, count: int) -> tuple[float, ...]:
-    """Return the exponents of the operands of what is a product of powers; nothing for others."""
+    """Return the exponents of the operands if the result is a product of powers; else nothing."""
     letters = [sp.Dummy(positive=True) for _ in range(count)]
     meaning = SYMBOLIC[kind](*letters)
     if not isinstance(meaning, sp.Expr):
@@ -111,7 +113,7 @@ def _find_powers(kind: str, count: int) -> tuple[float, ...]:
 
 def _find_share(term: IntervalMonomial, other: IntervalMonomial) -> Interval:
     """Return a term's share of a sum."""
-    # The one is finite where the term does not vanish, the other where the rest of the sum does
+    # The first is finite where the term does not vanish, the second where the rest of the sum does
     # not.
     of_rest = (ONE + (other / term).expanded()).inverted()
     return of_rest.intersection(ONE - (ONE + (term / other).expanded()).inverted())
@@ -126,13 +128,13 @@ class RoundedStep:
     slopes: Slopes
     relative: Ends
     absolute: Ends | None
-    # Of a number that is no double, what its rounding is, with its sign, as a share of itself.
+    # For a number that is no double: its rounding error with its sign, as a share of itself.
     known: Interval | None = None
 
     def weigh(
         self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]
     ) -> list[Ends]:
-        """Bound what it adds in eps of each of some scales.
+        """Bound the error that the step adds, in eps of each of some scales.
 
         The slopes are those of an output over each scale, the conditions its condition numbers.
         """
@@ -153,23 +155,24 @@ class RoundedStep:
 
 
 def take_least(*bounds: Ends) -> Ends:
-    """Return the lowest of bounds of one thing; those that are not finite say nothing."""
+    """Return the lowest of several bounds of one quantity, leaving out NaN and infinity."""
     least = np.float64(np.inf)
     for bound in bounds:
         least = np.fmin(least, bound)
     return least
 
 
-# An error is put to a term where it is no larger a share of it than so many times that of the sum.
+# Limits that are tried: an error is charged to a term only if its share of the term is at most so
+# many times its share of the sum.
 HARDLY_MORE = (1.25, 2.0, 4.0, np.inf)
 
 
 def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
-    """Bound a sum of errors, each told as shares of what is at most the sum, its terms last."""
+    """Bound a sum of errors, each given as shares of what the sum is at least, its terms last."""
     of_sum = [take_least(*shares) for shares in errors]
     totals = [sum(of_sum, np.float64(0.0))]
     if terms > 1:
-        # Some are the same in all boxes.
+        # Some shares are one number for all boxes.
         shape = np.broadcast_shapes(*(np.shape(s) for shares in errors for s in shares[-terms:]))
         of_terms = [
             np.array([np.broadcast_to(share, shape) for share in shares[-terms:]])
@@ -180,12 +183,13 @@ def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
 
 
 def _share_out(of_sum: Sequence[Ends], of_terms: Sequence[Array], factor: float) -> Ends:
-    """Put each error to the terms that have least to answer for, so that they have as much."""
+    """Charge each error to the terms that are charged least so far, levelling their totals."""
     loads = np.zeros_like(of_terms[0])
     rest: Ends = np.float64(0.0)
     for whole, shares in zip(of_sum, of_terms, strict=True):
         least = shares.min(axis=0)
-        # What is a share of no term stays with the whole, of which it may have no bound.
+        # An error without a finite share of any term stays with the whole sum, where it may be
+        # infinite too.
         is_put = (whole > 0) & np.isfinite(least) & (least <= factor * whole)
         rest = rest + np.where(is_put, 0.0, whole)
         levels = np.where(np.isfinite(shares), _fill(loads, shares), 0.0)
@@ -198,7 +202,8 @@ def _fill(loads: Array, shares: Array) -> Array:
     order = np.argsort(loads, axis=0)
     with np.errstate(divide="ignore"):
         sizes = 1 / np.take_along_axis(shares, order, axis=0)
-    # The lowest terms take all of it: how many are filled is where the level is lowest.
+    # The lowest terms take all of the error; the right number of them is the one with the lowest
+    # level.
     before = np.cumsum(np.take_along_axis(loads, order, axis=0) * sizes, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         found = (1 + before) / np.cumsum(sizes, axis=0) * (1 + 8 * EPS * len(loads))

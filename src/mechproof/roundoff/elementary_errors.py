@@ -32,21 +32,22 @@ from mechproof.roundoff.specialisation import REST, Case, Resolved, Whole, name_
 from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed
 from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 
-# So many pieces has a quarter turn, or an interval of the other functions.
+# Number of pieces into which a quarter turn, or the interval of another function, is divided.
 PIECES = 64
 QUARTERS = 4
-# Beyond what an interval ends at, as a share of it.
+# Factor by which intervals are extended beyond their ends.
 BEYOND = 1 + MARGIN / 2
 Series = Any
 
 
 def _sine(rest: Series, quarters: int) -> Series:
-    """Return the sine of a rest and so many quarter turns, which is a cosine of fewer by one."""
+    """Return the sine of a rest plus so many quarter turns: the cosine for one quarter fewer."""
     value = rest.cos() if quarters % 2 else rest.sin()
     return -value if quarters % QUARTERS > 1 else value
 
 
-# Of an angle: the two sides that are to be equal, for the program's last quotient.
+# For functions of an angle of n quarter turns and a rest r, with the program's last quotient a/b:
+# the two sides that are equal if a/b is exact.
 ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Series]]] = (
     MappingProxyType(
         {
@@ -70,7 +71,7 @@ def _prove_angle(kind: str) -> ErrorTable:
     for quarters in range(QUARTERS):
         number = Whole(Fraction(QUARTERS), Fraction(quarters))
         found = resolve(build(kind, DOUBLE).program, Case(number))
-        # Of the other sign it is off as much, or this is an error.
+        # The error is the same for the other sign; if not, this raises.
         find_parities(found.straight, {REST: ODD})
         places, low, high = _list_rests(edges, quarters)
         straight = _leave_quotient(found.straight)
@@ -78,17 +79,18 @@ def _prove_angle(kind: str) -> ErrorTable:
         bounds = _put_on(_bound_reduced(replace(found, straight=straight), low, high), off)
         if not quarters:
             unreduced[places] = _put_on(_bound(straight, {REST: None}, low, high), off)
-            # Beyond `near`, too, the nearest number may be none, and then the angle is not reduced.
+            # Somewhat beyond `near` the nearest number of quarter turns may still be zero, and the
+            # angle is not reduced.
             bounds = np.maximum(bounds, unreduced[places])
         reduced[places] = np.maximum(reduced[places], bounds)
-    # Where the number is none, whatever is rounded.
+    # Up to here the number of quarter turns is zero, however it is rounded.
     near = float((PI * exactly(0.25)).low) * (1 - MARGIN)
     tables = find_highest(reduced), find_highest(unreduced)
     return ErrorTable(edges, *tables, near=near, largest=DOUBLE.largest)
 
 
 def _leave_quotient(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps with a last quotient that is exact: its two sides are what counts."""
+    """Return the steps with their last quotient exact, as only its two sides are bounded."""
     *others, last = straight.steps
     if last.kind != "divide":
         return straight
@@ -109,7 +111,7 @@ def _enclose_angle(kind: str, found: Resolved, quarters: int, low: Array, high: 
 
 
 def _enclose(sides: Sides, low: Array, high: Array) -> Array:
-    # What may vanish is expanded where it does.
+    # Functions that may vanish are expanded at zero, so that their pieces start there.
     start = np.where(low < high - low, 0.0, low)
     pieces = zip(map(arb, start.tolist()), map(arb, high.tolist()), strict=True)
     return np.array(enclose_pieces(sides, pieces)) / EPS
@@ -122,12 +124,12 @@ def _list_angles() -> Array:
 
 
 def find_end_of_rests() -> float:
-    """Return what no rest of an angle is above, less its quarter turns."""
+    """Return an upper bound of what is left of an angle less its quarter turns."""
     return float((PI * exactly(0.25)).high) * BEYOND
 
 
 def find_end_of_small() -> float:
-    """Return what no argument of a small arctangent is above."""
+    """Return an upper bound of the arguments of a small arctangent."""
     return _find_legal() * BEYOND
 
 
@@ -155,7 +157,7 @@ def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
 
 
 def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
-    """Bound the roundings, that of what is left of the angle among them."""
+    """Bound the roundings, including that of the reduced angle."""
     reduction, bounds = bound_reduction(found.per, found.words), np.empty(len(low))
     for rows, ulps in ((low < NEAR, reduction.near), (low >= NEAR, reduction.far)):
         made = (
@@ -188,14 +190,14 @@ def _bound(
 
 
 def _put_on(bounds: Array, off: Array) -> Array:
-    """Return bounds of roundings with that of the approximation."""
+    """Return bounds of roundings with the error of the approximation added."""
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
 def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
-    """Bound the arctangent of a quotient, or the angle of a point; the quotient is its place.
+    """Bound the arctangent of a quotient, or the angle of a point, by the size of the quotient.
 
-    The sign turns with those of the first arguments.
+    The result changes its sign with each of the first `signs` arguments.
     """
     program = build(kind, DOUBLE).program
     _check_signs(program, program.inputs[:signs])
@@ -204,13 +206,13 @@ def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
         np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
         for s in (False, True)
     )
-    # All reciprocals that are rounded to zero have a place, too.
+    # The last piece reaches beyond 2, for reciprocals that are rounded to zero.
     places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
     return ErrorTable(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
 def _check_signs(program: Program, arguments: Sequence[str]) -> None:
-    """Require that the sign turns with that of each of some arguments; ValueError if not."""
+    """Require that the result changes its sign with each of some arguments; ValueError if not."""
     for turned in arguments:
         parities = find_parities(program, {n: ODD if n == turned else EVEN for n in program.inputs})
         if any(parities[str(output)] == EVEN for output in program.outputs):
@@ -222,7 +224,7 @@ def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
     program = build(kind, DOUBLE).program
     found = resolve(program, case)
     one, other = map(name_size, program.inputs)
-    # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
+    # One size can be taken to be 1, as only the quotient of both sizes matters.
     sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
     scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
     straight = replace(found.straight, scaled=scaled)
@@ -261,7 +263,7 @@ _PROVED: Mapping[str, Callable[[str], ErrorTable]] = MappingProxyType(
     {
         **dict.fromkeys(ANGLES, _prove_angle),
         "arctan_quotient": partial(_prove_arc, 2, (False,)),
-        # Of a point that is not the origin.
+        # For points other than the origin.
         "arctan2": partial(_prove_arc, 1, (False, True)),
         "small_arctan": _prove_small,
     }

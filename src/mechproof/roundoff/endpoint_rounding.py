@@ -23,7 +23,7 @@ from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.running import add_exactly, fma
 from mechproof.roundoff.steps import list_factors
 
-# Exponents of two, minus infinity where none is known.
+# Exponents of the powers of two that numbers are multiples of; minus infinity if unknown.
 Grid = Ends
 BITS = 53
 NO_GRID = np.float64(-np.inf)
@@ -38,7 +38,7 @@ _OF_RESULTS: Mapping[str, Callable[..., Grid]] = MappingProxyType(
         "absolute": lambda a: a,
     }
 )
-# Of a power of two: less than a quarter of the spacing below it.
+# As a share of a power of two: less than a quarter of the spacing of the doubles below it.
 HARDLY = 2.0**-56
 
 
@@ -48,7 +48,7 @@ def find_grid(kind: str, given: Sequence[Grid]) -> Grid:
 
 
 def find_own_grid(doubles: Interval) -> Grid:
-    """Return the spacing of the least of doubles; none where zero may be among them."""
+    """Return the spacing of the smallest double in size; `NO_GRID` where zero may be among them."""
     least = np.maximum(doubles.low, -doubles.high)
     apart = least > 0
     _, exponents = np.frexp(np.where(apart, least, 1.0))
@@ -164,7 +164,7 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
     known = found.span.is_finite
     for span in given:
         known = known & span.is_finite
-    # So written that a whole of which nothing is known, NaN, is never the narrower.
+    # The negation sees to it that a NaN whole, of which nothing is known, is never the narrower.
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
@@ -175,7 +175,7 @@ def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
     """Bound a rounding by so many spacings of doubles at the largest result."""
     largest = rounded.span.largest()
     share, exponent = np.frexp(largest)
-    # A power of two is a double: what is hardly above it is off by less than what is below.
+    # A power of two is a double: a result hardly beyond it is off by less than those below it are.
     passed = (share == 0.5) & (rounded.beyond <= largest * HARDLY)
     limit = ulps * np.ldexp(UNIT, np.where(passed, exponent - 1, exponent))
     return np.where(np.isfinite(largest), limit, np.inf)
@@ -189,12 +189,12 @@ def widen_by_ulps(span: Interval, ulps: float) -> Interval:
 
 
 def within_one(span: Interval) -> Interval:
-    """Return what is at most 1 in size."""
+    """Limit an interval to numbers of at most 1 in size."""
     return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
 
 
 def shifts(kind: str, given: Sequence[Interval]) -> Mask:
-    """Say where all that is computed is multiplied or divided by one power of two."""
+    """Say where the operation multiplies or divides by a single power of two."""
     known: Mask = False
     for factor in list_factors(kind, given):
         known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == 0.5)

@@ -9,7 +9,7 @@ import numpy as np
 
 from mechproof.arithmetic.intervals import PI, Array, Ends, Interval, exactly
 
-# More than what is rounded where a place is computed.
+# More than the rounding errors with which a place is computed.
 SLACK = 2.0**-40
 
 
@@ -17,10 +17,10 @@ SLACK = 2.0**-40
 class ErrorTable:
     """Bounds in eps of the value, between edges of the places that arguments have.
 
-    `highest` are those from each piece to each later one. The place of an angle is how far it is
-    from whole half turns; below `near` it is not reduced and has bounds of its own, up to `largest`
-    it has a place. Arguments that are no angles are meant to be at most `legal`; beyond the last
-    edge nothing is known.
+    `highest` has the largest bound from each piece to each later one. The place of an angle is its
+    distance from the nearest whole half turn; an angle below `near` is not reduced and has bounds
+    of its own, one up to `largest` has a place. Arguments that are no angles are meant to be at
+    most `legal`; beyond the last edge nothing is known.
     """
 
     edges: Array
@@ -51,7 +51,7 @@ class ErrorTable:
         return np.where(size <= self.largest, found, np.nan)
 
     def limit(self, argument: Interval, off: Ends) -> Interval:
-        """Leave what is legal, and by how much it may be off."""
+        """Limit an argument to what is legal and the error that it may have."""
         most = np.where(np.isfinite(off), self.legal + off, np.inf)
         return Interval(np.maximum(argument.low, -most), np.minimum(argument.high, most))
 
@@ -64,7 +64,7 @@ class ErrorTable:
         known = np.isfinite(low) & np.isfinite(high)
         first = np.searchsorted(self.edges, np.where(known, low, 0.0), "right") - 1
         after = np.searchsorted(self.edges, np.where(known, high, self.edges[-1]), "left") - 1
-        # Clipped to the last piece it would look bounded.
+        # Clipped to the last piece, a place beyond the last edge would look bounded.
         beyond = known & (high > self.edges[-1])
         first = np.clip(first, 0, last)
         found = highest[first, np.clip(after, first, last)]

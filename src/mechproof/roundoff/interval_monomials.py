@@ -30,12 +30,12 @@ from mechproof.arithmetic.intervals import (
 )
 
 Powers = tuple[int, ...]
-# Boxes that are bounded together.
+# The most boxes that are bounded together.
 TOGETHER = 8192
 # Called with boxes and with the first decisions.
 BoundAlike = Callable[[Boxes, tuple[int, ...]], Array]
 Rows = NDArray[np.intp]
-# So many times its least size is the largest of a wide interval.
+# An interval is wide if its largest size is at least so many times its least.
 WIDE = 1.25
 
 
@@ -69,7 +69,7 @@ class BoxVariables:
         self.spans = list(spans)
         self._free = list(range(len(spans), len(spans) + more))
         self.none: Powers = (0,) * (len(spans) + more)
-        # Of functions that may vanish, which many ask for.
+        # Values of functions that may vanish, shared by all steps that ask for them.
         self._named: dict[Hashable, IntervalMonomial] | None = {} if zeros else None
         self._known: dict[Powers, Interval] = {}
         self._forced = forced
@@ -122,7 +122,7 @@ class BoxVariables:
         )
 
     def intern(self, powers: Powers) -> Powers:
-        """Return no powers as the one object that says so."""
+        """Return the shared object `none` for powers that are all zero."""
         return powers if any(powers) else self.none
 
     def add_variable(self, span: Interval) -> IntervalMonomial:
@@ -173,7 +173,7 @@ class IntervalMonomial:
             return IntervalMonomial(self.variables, self.span + other.span, self.powers)
         if other._is_zero or self._is_zero:
             return self if other._is_zero else other
-        # Only what both vanish with is a factor of the sum.
+        # Only factors that both terms vanish with are factors of the sum.
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         return IntervalMonomial(self.variables, self._over(common) + other._over(common), common)
 
@@ -190,7 +190,7 @@ class IntervalMonomial:
 
     def __mul__(self, other: IntervalMonomial) -> IntervalMonomial:
         powers, others, none = self.powers, other.powers, self.variables.none
-        # Most have no powers: their identity tells it at once.
+        # Most monomials have no powers, which the identity of `none` tells at once.
         if powers is none:
             powers = others
         elif others is not none:
@@ -220,7 +220,7 @@ class IntervalMonomial:
 
     @property
     def is_wide(self) -> Mask:
-        """Say where the interval is next to zero beside its width, holds it or is not known."""
+        """Say where the interval is wide for its distance from zero, holds zero or is not known."""
         return ~(np.maximum(self.span.low, -self.span.high) * WIDE > self.span.largest())
 
     def expanded(self) -> Interval:
@@ -238,7 +238,7 @@ class IntervalMonomial:
         )
 
     def decide_sign(self) -> int:
-        """Return the sign of the value, where it vanishes too, 0 if it is not known."""
+        """Return the sign of the value, which may be zero as well; 0 if it is not known."""
         if not self.variables.is_positive(self.powers):
             return 0
         above, below = self.span.low >= 0, self.span.high <= 0
@@ -293,7 +293,7 @@ def bound_in_groups(compute: BoundAlike, boxes: Boxes) -> Array:
     bounds = np.full(len(boxes), np.inf)
     if not len(boxes):
         return bounds
-    # What is never negative is the same in all boxes that are bounded together.
+    # All boxes that are bounded together must agree in which variables are never negative.
     _, groups = np.unique(boxes[:, :, 0] >= 0, axis=0, return_inverse=True)
     for group in range(groups.max() + 1):
         rows = np.flatnonzero(groups == group)

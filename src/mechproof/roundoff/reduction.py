@@ -22,11 +22,11 @@ from mechproof.arithmetic.intervals import EPS, UNIT
 from mechproof.programs.elementary.fits import MARGIN
 from mechproof.programs.elementary.formats import DOUBLE
 
-# Three words of pi/2 hold some 159 bits; what they leave is asked of twice as many.
+# Precision in bits: three words of pi/2 hold some 159, and what they leave takes twice as many.
 BITS = 300
-# From here on the last word is next to nothing.
+# Angles at least this far from a multiple of a quarter turn hardly need the last word.
 NEAR = 2.0**-24
-# For the roundings of what is computed here, and shares that are less.
+# Factor that covers the roundings of the computations here, and smaller shares.
 MORE = 1 + 2.0**-20
 
 
@@ -46,11 +46,11 @@ def bound_reduction(per: float, words: tuple[float, ...]) -> ReductionError:
     with working_precision(BITS):
         quarter = arb.pi() / 2
         left = _above(abs(quarter + sum(map(arb, words), arb(0))))
-        # The words are taken off, so that they are negative.
+        # The words are negative, as they are to be subtracted.
         after_first = _above(abs(quarter + arb(words[0])))
         miss = _above(abs(arb(per) - 1 / quarter))
     largest = DOUBLE.largest
-    # The number is that next to a product of two doubles, rounded.
+    # The number of quarter turns is the integer next to a rounded product of two doubles.
     beyond_half = largest * (miss + per * EPS) * MORE
     most = largest * per * MORE + 1
     rest = (0.5 + beyond_half) / per * MORE
@@ -93,7 +93,7 @@ def find_nearest(largest: float) -> float:
             over = number * quarter / unit
             nearest = min(nearest, abs(over - round(over)) * unit)
         end *= 2
-    # Half of it, for what so many bits leave of pi.
+    # Halved, which covers the error of pi at this precision.
     return float(nearest / 2)
 
 

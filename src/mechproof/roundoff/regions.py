@@ -32,21 +32,22 @@ from mechproof.roundoff.steps import EXACT, StraightLineProgram
 from mechproof.roundoff.symmetry import ODD, list_negated
 
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
-# Half a turn and a little: where the nearest number of turns is no matter of rounding.
+# Slightly more than half a turn, to include angles where rounding decides the number of turns.
 HALF_TURN = math.pi * (1 + 2.0**-40)
-# Turns that are told apart, fewer where a rest has coordinates; more are one region.
+# Numbers of turns below this are told apart, with a smaller limit where a rest has coordinates; all
+# others are one region.
 APART, APART_FROM_REST = 4, 2
 TURNS, PI_NAME = sp.Symbol("turns"), CONSTANTS[sp.pi]
 Signs = frozenset[str]
-# What is less is a rounding.
+# Differences below this are put down to rounding.
 NEAR = 1e-9
 
 
 @dataclass(frozen=True)
 class ChartRegion:
-    """A box of coordinates; of an angle beyond half a turn the rest, and the number of turns.
+    """A box of coordinates; for an angle beyond half a turn, of its rest, with the number of turns.
 
-    Without a number the last side is the reciprocal of the whole angle.
+    Without a number of turns the last side is the reciprocal of the whole angle.
     """
 
     chart: Chart
@@ -84,7 +85,7 @@ class ChartRegion:
         return variables, {**monomials, self.angle: angle}, turn
 
     def count_first(self) -> int:
-        """Count the sides that matter: not how many turns are taken off what has coordinates."""
+        """Count the sides to cut first: not that of the whole angle if its rest has coordinates."""
         return len(self.box) if self.chart.rest is None else len(self.names)
 
     def _find_residue(
@@ -103,7 +104,7 @@ class ChartRegion:
         return bool(within.inf == 0 and within.left_open)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
-        """Say which coordinates are never negative, of the angle's rest the reciprocal."""
+        """Say which coordinates are never negative; the reciprocal of a turned angle never is."""
         positive = [bool(np.all(boxes[:, i, 0] >= 0)) for i in range(len(self.names))]
         return [*positive, True] if self.is_turned else positive
 
@@ -140,7 +141,8 @@ def express(
 def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonomial:
     """Return a sum whose ends are moved outward only where they are rounded.
 
-    So 1 - d is at most 1 where d is not negative, and no binade is passed that no number passes.
+    So 1 - d is at most 1 where d is not negative, and the ends pass no power of two that the sum
+    itself does not pass.
     """
     total = one + other
     if any(total.powers):
@@ -185,7 +187,7 @@ def _list_turned(
             yield ChartRegion(chart, names, box, True, turns)
     last = 2 * math.pi * apart - HALF_TURN
     if last < high:
-        # By their reciprocals angles without end are a box with ends.
+        # Through their reciprocals, unbounded angles become a box with ends.
         inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
         yield ChartRegion(chart, names, (*box, inverse), True)
 
@@ -227,13 +229,13 @@ def add_up(
 
 @cache
 def _factor(value: sp.Expr) -> sp.Expr:
-    """Factor a sum; the ways of computing a form have the same ones."""
+    """Factor a sum, once for all ways of computing a form, as these share their sums."""
     return sp.factor(value)
 
 
 @dataclass(frozen=True)
 class ChartMembership:
-    """Of each chart what is not negative inside; whose signs may change without a difference."""
+    """For each chart what is not negative inside it; the arguments whose signs do not matter."""
 
     gaps: tuple[Program, ...]
     signs: tuple[Signs, ...]
@@ -263,7 +265,7 @@ def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
 
 def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     drawn = {symbol: _draw(symbol) for symbol in chart.arguments}
-    # What is no coordinate's is one number.
+    # Arguments that depend on no coordinate are fixed numbers.
     fixed = {symbol: value for symbol, value in chart.arguments.items() if value.is_number}
     equations = [v - drawn[symbol] for symbol, v in chart.arguments.items() if symbol not in fixed]
     if chart.rest is not None:
@@ -294,7 +296,7 @@ def _solve(
 ) -> Sequence[Mapping[sp.Symbol, sp.Expr]]:
     """Solve equations, once for all kernels with these charts.
 
-    Solutions of other signs of roots are not left out here: that takes SymPy as long again.
+    Solutions with a wrong sign of a root are not left out here: checking takes SymPy as long again.
     """
     found: list[dict[sp.Symbol, sp.Expr]] = sp.solve(equations, coordinates, dict=True, check=False)
     return found
@@ -303,7 +305,7 @@ def _solve(
 def _is_at_middle(
     chart: Chart, drawn: Mapping[sp.Basic, sp.Dummy], place: Mapping[sp.Symbol, sp.Expr]
 ) -> bool:
-    """Say whether a solution is that of the two signs of a root which the coordinates have."""
+    """Say whether a solution is the one, of both signs of a root, that gives the coordinates."""
     middle = {
         name: (side.inf + side.sup) / 2 if side.sup.is_finite else sp.S.One
         for name, side in chart.within.items()

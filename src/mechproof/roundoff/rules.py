@@ -39,7 +39,7 @@ SOME = Interval(np.float64(0.0), np.float64(1.0))
 # How the value of an operation moves with each operand; None where it does not.
 Slopes = tuple[IntervalMonomial | None, ...]
 Moved = tuple[IntervalMonomial, Slopes]
-# Of the angle that is reduced by whole turns, then of the operands.
+# Takes the angle that is reduced by whole turns, then the operands.
 Rule = Callable[..., Moved]
 
 
@@ -57,8 +57,8 @@ def _divide(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Move
 
 
 def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
-    # Odd powers of what vanishes have no root among the monomials, nor squares of what has any
-    # sign.
+    # Odd powers of a variable that vanishes have no root among the monomials, nor have squares of a
+    # variable of either sign.
     halves = a.variables.intern(tuple([p // 2 for p in a.powers]))
     if any(p % 2 for p in a.powers) or not a.variables.is_positive(halves):
         root = a.variables.constant(a.expanded().sqrt())
@@ -115,7 +115,7 @@ def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
 def _choose(
     turn: Turn | None, test: IntervalMonomial, a: IntervalMonomial, b: IntervalMonomial
 ) -> Moved:
-    """Return what is chosen, where nobody knows which one, both."""
+    """Return the chosen operand; where it is not known which one, what holds both."""
     is_first, is_second = test.span.low == 1, test.span.high == 0
     chosen = a.variables.choose(is_first, is_second, ~(is_first | is_second))
     if chosen < 2:

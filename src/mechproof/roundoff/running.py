@@ -65,7 +65,7 @@ def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def add_to_odd(a: Any, b: Any) -> Any:
-    """Return the sum, of its two neighbours that with an odd last bit if it is no double."""
+    """Return the sum rounded to odd: if it is no double, its neighbour with an odd last bit."""
     total, rest = add_exactly(a, b)
     bits = np.asarray(total).view(np.int64)
     outward = np.where((rest > 0) == (total > 0), 1, -1)
@@ -87,7 +87,8 @@ ON_ARRAYS = Arithmetic(
         **{kind: getattr(np, kind) for kind in COMPARISONS},
         "is_finite": np.isfinite,
         "choose": np.where,
-        # What they mean would be rounded away; the second computes with numbers as with a trace.
+        # Computed as they are defined, these rests would be rounded to zero; the body of the second
+        # runs on numbers as well as on traces.
         "sum_rest": error_free.sum_rest,
         "total_rest": partial(BODIES["total_rest"][0], None),
         "both": np.logical_and,
@@ -106,7 +107,7 @@ IN_DOUBLES = ON_ARRAYS.but(
     quotient_rest=error_free.quotient_rest,
     small_tangent=error_free.small_tangent,
 )
-# Of balls, and of series of balls, what functions of SymPy are; None is what is not decided.
+# What SymPy's functions are for balls and series of balls; None stands for what is not decided.
 _OF_BALLS: Mapping[Any, Callable[..., Any]] = MappingProxyType(
     {
         **FUNCTIONS,
@@ -123,7 +124,7 @@ IN_BALLS = Arithmetic(
         "number": arb,
         "is_finite": lambda a: a.is_finite(),
         "choose": lambda test, a, b: arb("nan") if test is None else a if test else b,
-        # In which nothing cancels.
+        # Balls have these two as functions of their own, in which nothing cancels.
         "expm1": arb.expm1,
         "log1p": arb.log1p,
         CONSTANT: lambda operand: to_ball(find_number(operand)),
@@ -187,11 +188,11 @@ def _divide(digits: str) -> Any:
     return LONG_DOUBLE(above) / LONG_DOUBLE(below or "1")
 
 
-# Of the constants; infinity is known to all that run.
+# Digits of the constants; infinity is among the values of every run (`ENDLESS`).
 DIGITS_OF = {n: str(sp.N(v, 40)) for n, v in CONSTANTS.items() if v != sp.oo}
 IN_EXTENDED = ON_ARRAYS.but(
     number=LONG_DOUBLE,
-    # By its digits: a whole number of Python's may become a double on the way.
+    # From its digits: an integer of Python might become a double on the way.
     constant=lambda operand: _divide(DIGITS_OF.get(operand, str(operand))),
     product_rest=_product_rest,
     quotient_rest=_quotient_rest,

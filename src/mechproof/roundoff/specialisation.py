@@ -17,9 +17,10 @@ from typing import TypeGuard
 from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.steps import Step, StraightLineProgram, keep_needed, make_step
 
-# An angle less its quarter turns.
+# Names the input that is an angle less its quarter turns.
 REST = "rest"
-# Numbers of quarter turns have so many parts, and no more is added: doubles without a rounding.
+# Numbers of quarter turns are multiples of 1/PARTS, at most MOST_ADDED in size: as doubles they are
+# added and multiplied without rounding.
 PARTS, MOST_ADDED = 8, 8
 
 
@@ -30,7 +31,7 @@ def name_size(name: str) -> str:
 
 @dataclass(frozen=True)
 class Whole:
-    """A number: so many for each whole turn, whatever their number, and a count."""
+    """A number that is `each` for every whole turn, however many there are, plus a count."""
 
     each: Fraction
     count: Fraction
@@ -83,13 +84,14 @@ def resolve(program: Program, case: Case) -> Resolved:
 
 @dataclass(frozen=True)
 class _Signed:
-    """What has the sign of an argument, and no other size than a number."""
+    """A number with the sign of an argument."""
 
     size: float
     sign: Operand
 
 
-# Of a result: a decision, an angle less its number times words, or what stands for it.
+# What is known of a result: a count of turns, a decision, the words that were taken off an angle, a
+# number with an argument's sign, or the operand that stands for it.
 _Known = Whole | bool | tuple[float, ...] | _Signed | Operand
 
 
@@ -123,7 +125,7 @@ class _Resolver:
         return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
 
     def _take(self, value: _Known) -> Operand:
-        """Return what is computed with."""
+        """Return the operand that the steps use for a value."""
         if isinstance(value, tuple):
             self._words.add(value)
             return REST
@@ -146,7 +148,7 @@ class _Resolver:
         return self._case.is_behind
 
     def _compare(self, kind: str, *given: _Known) -> bool:
-        # Both are doubles that were given: no rounding has a part in this.
+        # Both are inputs, so that no rounding can change how they compare.
         if [*map(self._take, given)] != list(self._sizes.values()):
             raise ValueError(f"{given}: only the sizes of both arguments are compared")
         return self._case.is_larger
@@ -154,7 +156,7 @@ class _Resolver:
     def _compute(self, kind: str, first: _Known, second: _Known) -> _Known | None:
         if isinstance(first, Whole):
             return _COMPUTE[kind](first, second) if _is_number(second) else None
-        # The sum is exact, and what is added alone.
+        # Adding to zero is exact and leaves the other operand.
         return self._take(second) if kind == "add" and self._take(first) == 0 else None
 
     def _round(self, kind: str, value: _Known) -> Whole | None:
@@ -187,7 +189,7 @@ class _Resolver:
         return self._sizes[str(value)]
 
     def _take_sign(self, kind: str, size: _Known, sign: _Known) -> _Known:
-        # Of the sign of an argument nothing else depends: what is left is the size of the result.
+        # Nothing else depends on the sign of an argument, so that only the size is carried on.
         if sign not in self._inputs:
             raise ValueError(f"{sign}: only signs of arguments are put on results")
         value = self._take(size)

@@ -50,11 +50,11 @@ FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
         if row.rounding is Rounding.LIBRARY and hasattr(np, name)
     }
 )
-# Of every program: the relative error of an operation is bounded in the normal range alone.
+# Assumed of every program: the relative error of an operation is bounded in the normal range only.
 NORMAL = "no result overflows or falls below the normal range"
-# Of maps of points: no more than so many roundings are met by a product.
+# Assumed of maps of points: it limits how many roundings a product goes through.
 SUMS = "np.matmul by products and their sums in any order"
-# Of sums over sets.
+# Assumed of sums over sets.
 TERMS = "np.sum by additions in any order"
 
 
@@ -73,7 +73,7 @@ class Expansion:
 
 
 def _write_out(kind: str, *inputs: str) -> Expansion:
-    """Take the operations that a kind is put together of for its program."""
+    """Return the expansion of a kind into the operations that it is made of."""
     meaning = KINDS[kind].meaning
     assert meaning is not None
     return Expansion(trace(partial(meaning, TRACED), inputs))
@@ -93,8 +93,8 @@ IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
 class Step:
     """An operation whose result is off by at most so many ulps of itself.
 
-    Where it is `proved` of a function, by what is proved. All results with one angle in `scaled`
-    have one factor that is not known.
+    If it is `proved` of a function, it is off by what is proved instead. All results with one angle
+    in `scaled` share one factor that is not known.
     """
 
     result: str
@@ -109,8 +109,9 @@ class Step:
 class StraightLineProgram:
     """All steps of a stage; inputs are the arguments, outputs results or inputs.
 
-    The rounding of what is `held` moves no output: a low word has it. What is `scaled` has factors
-    that no output has. Both are in the order of the steps, so that equal steps are printed alike.
+    The rounding of a `held` result moves no output, because a low word takes it up. The factors of
+    `scaled` results cancel in every output. Both are in the order of the steps, so that equal steps
+    are printed alike.
     """
 
     inputs: tuple[str, ...]
@@ -223,7 +224,7 @@ def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterat
 
 
 def make_step(operation: Operation) -> Step:
-    """Return an operation with what its rounding is off by."""
+    """Return an operation with the bound of its rounding error."""
     kind, operands = operation.kind, operation.operands
     if _scales_by_power(kind, operands):
         return Step(operation.result, kind, operands, EXACT)

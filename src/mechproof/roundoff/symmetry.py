@@ -65,7 +65,7 @@ def _turn(above: Parity, ahead: Parity) -> Parity:
     return above
 
 
-# To round to nearest is odd, and so are NumPy's odd functions.
+# Rounding to nearest is an odd function, and NumPy's odd functions are odd to the last bit.
 PARITIES = Arithmetic(
     {
         **{k: partial(_find_parity, row.sympy) for k, row in KINDS.items() if row.sympy},
@@ -109,7 +109,7 @@ def _list_parities(
 def find_parities(
     straight: StraightLineProgram | Program, given: Mapping[str, Parity]
 ) -> Mapping[str, Parity]:
-    """Return what becomes of all results where the given ones do; ValueError if that is neither."""
+    """Return the parities of all results by those of the inputs; ValueError where there is none."""
     try:
         return run_steps(straight, {**dict.fromkeys(CONSTANTS, EVEN), **given}, PARITIES)
     except KeyError as error:

@@ -29,15 +29,15 @@ from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import HALF, Expansion, flatten_stage
 
-# The power of two that is the most terms.
+# The most terms of a set, as an exponent of two.
 MOST = 20
 PLACE = f"n <= 2**{MOST}"
 # All products of roundings come to less, in eps and as a share: s = (n - 1)*u is at most
 # 2**(MOST - 53), its square 2**(2*MOST - 54)*eps, and as a share s is what it moves the scale by.
 MARGIN = 2.0 ** (2 * MOST - 50)
-# The worst is looked for among sets of so many, which NumPy adds up one after the other.
+# Size of the sets that are searched for the worst input; NumPy adds up so few in order.
 SEARCHED = 5
-# Sizes are drawn from so many octaves.
+# Number of octaves that elements are drawn from.
 OCTAVES = 4.0
 
 
@@ -60,11 +60,11 @@ class TermSum:
         return 0.0 if self.keeps_rests else self.degree * HALF
 
     def widen(self, found: Array) -> Array:
-        """Return bounds with what products of roundings add."""
+        """Return bounds with the products of roundings added."""
         return found * (1 + MARGIN) + MARGIN
 
     def put_exact(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Values:
-        """Return the values of elements with their arrays, and with the sum as it is."""
+        """Return the values of elements with their arrays, and with the exact sum."""
         return self._put(given, arithmetic, drop_rest)
 
     def put_rounded(self, given: Mapping[str, Any]) -> Values:
@@ -84,7 +84,7 @@ class TermSum:
 
     @property
     def asking(self) -> Arithmetic:
-        """Return what asks in doubles whether a set is in the domain."""
+        """Return the arithmetic that decides in doubles whether a set is in the domain."""
         return IN_DOUBLES.but(
             **{test.name: partial(run_loop, test, IN_DOUBLES, drop_rest) for test in self.tests}
         )
@@ -102,7 +102,7 @@ def _name_element(name: str, number: int) -> str:
 
 
 def drop_rest(one: Any, other: Any, total: Any) -> Any:
-    """Return nothing of what an addition rounds off."""
+    """Ignore what an addition rounds off."""
     return 0
 
 

@@ -26,9 +26,9 @@ from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, IN_EXTENDED, IS_LON
 Points = Mapping[str, Array]
 BITS = 200
 DRAWN = 1000
-# Crowds meet soon, in one place or another: many rounds of few, and again.
+# A population soon crowds into one place: many rounds with few points, then a fresh climb.
 BY_LONG_DOUBLES, ROUNDS, CLIMBS = Schedule(1000, 6), 300, 2
-# Free coordinates are drawn from so many octaves.
+# Number of octaves that coordinates without an end are drawn from.
 OCTAVES = 16.0
 
 
@@ -91,7 +91,7 @@ def _list_balls(subject: ComputedStage, points: Points) -> Iterator[Mapping[str,
 
 
 def estimate(subject: ComputedStage, points: Points) -> Array:
-    """Judge in long doubles, nearly; in doubles where the bound is."""
+    """Estimate the errors in long doubles, but decide in doubles where the stage is taken."""
     outputs, held = _compute(subject, points)
     extended = {name: LONG_DOUBLE(column) for name, column in points.items()}
     with np.errstate(all="ignore"):
@@ -109,7 +109,7 @@ def _compute(subject: ComputedStage, points: Points) -> tuple[Array, Any]:
 
 
 def _find_largest(errors: Sequence[Any]) -> Any:
-    """Return the largest error; of nothing there is none."""
+    """Return the largest error; NaN and infinity count as none."""
     return np.nan_to_num(np.array(errors, float), posinf=0.0).max(axis=0)
 
 

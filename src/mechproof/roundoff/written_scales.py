@@ -25,17 +25,18 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.steps import EXACT, IN_NUMPY, Step, StraightLineProgram, flatten_stage
 
 PLAIN_REWRITES = ("positive_atan2", "half_angle_tangent")
-# Of fewer terms one is the whole scale, nearly.
+# With fewer terms than this, one of them is nearly the whole scale.
 LEAST_TERMS = 3
 
 
 @dataclass(frozen=True)
 class WrittenScale:
-    """The steps of a scale and of what it is more than the value, where it has all its terms.
+    """The steps of a scale and, if it has all its terms, of its excess over the value.
 
-    Told besides, but for their signs, are so many terms of a sum, without the value, if it is one,
-    and what it is at least: the candidates of a maximum. Those `known` are never negative. It
-    `is_at_least` the value where both are written so, though the value is no term.
+    The steps after these are, up to sign, the `terms` of a sum, without the value if that is one of
+    them, and then what the scale is at least: the candidates of a maximum. Those `known` are never
+    negative. The scale `is_at_least` the value where both are written so, though the value is no
+    term.
     """
 
     straights: tuple[StraightLineProgram, ...]
@@ -53,7 +54,7 @@ class WrittenScale:
         terms = parts[: self.terms] if all(signs[: self.terms]) else ()
         least = [part for part, holds in zip(parts, signs, strict=True) if holds][len(terms) :]
         if not rest or (not terms and rest[0].decide_sign() <= 0):
-            # Terms that are told add up to the scale without the value.
+            # The terms that are listed add up to the scale without the value.
             return ErrorScale(whole, self.is_at_least and not terms, terms, least)
         # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
         is_known = whole.span.is_finite
