@@ -64,7 +64,7 @@ class Turn:
         return self.residue.scaled(exactly(nearest)) + self.share(monomial.variables.constant(over))
 
     def share(self, monomial: IntervalMonomial) -> IntervalMonomial:
-        """Return a small part of the angle as a share of what vanishes with whole turns off."""
+        """Return a small part of the angle as a multiple of the powers that the residue has."""
         return monomial.over(self.residue.powers)
 
 

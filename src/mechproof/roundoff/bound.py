@@ -369,7 +369,7 @@ class ErrorAnalysis:
         carried.carry(conditions, rounded.relative, taken, numbers)
 
     def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
-        """List what the scale is at least: each of two terms of one sign, the value, its terms."""
+        """List what the scale is at least: the value, and terms that add up to it, among others."""
         scales = [bar.scale] if bar.scale else []
         value = self.value(output)
         if not bar.holds_value:

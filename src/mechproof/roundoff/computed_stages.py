@@ -143,7 +143,7 @@ class ComputedStage:
 
     @property
     def more(self) -> float:
-        """Return what all terms of a set after the first add where the worst is looked for."""
+        """Return what further terms add, in eps, in a set of the size that is searched."""
         return self.each * (SEARCHED - 1)
 
     def _bound_branches(self, region: ChartRegion, boxes: Boxes) -> Array:

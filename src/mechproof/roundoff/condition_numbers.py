@@ -198,7 +198,7 @@ def _share_out(of_sum: Sequence[Ends], of_terms: Sequence[Array], factor: float)
 
 
 def _fill(loads: Array, shares: Array) -> Array:
-    """Return the level to which an error fills some terms, of each of which it is such a share."""
+    """Return the level to which an error fills the lowest terms, by its share of each term."""
     order = np.argsort(loads, axis=0)
     with np.errstate(divide="ignore"):
         sizes = 1 / np.take_along_axis(shares, order, axis=0)

@@ -172,7 +172,7 @@ def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
 def _bound(
     straight: StraightLineProgram, given: Mapping[str, float | None], low: Array, high: Array
 ) -> Array:
-    """Bound the roundings of steps in eps of their value; what is not given is in the pieces."""
+    """Bound the roundings of steps in eps of their value; inputs that are None lie in pieces."""
 
     def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
         variables = BoxVariables([Interval(low[rows], high[rows])], [True], 0, forced)

@@ -103,7 +103,7 @@ def _corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, E
     low, high = found[0], found[0]
     for other in found[1:]:
         less, more = other[0] < low[0], other[0] > high[0]
-        # Of numbers these are numbers.
+        # `[()]` turns arrays without axes, as plain numbers give them, back into numbers.
         low = tuple(np.where(less, new, old)[()] for new, old in zip(other, low, strict=True))
         high = tuple(np.where(more, new, old)[()] for new, old in zip(other, high, strict=True))
     return _rest(*low), _rest(*high)

@@ -76,7 +76,7 @@ class BoxVariables:
         self._path: tuple[int, ...] = ()
 
     def choose(self, *masks: Mask) -> int:
-        """Return the number of what holds in all boxes; `MixedBoxesError` where some differ.
+        """Return the index of the mask that holds in all boxes; `MixedBoxesError` if they differ.
 
         Each box is in one mask: in the last where nothing can be said of it.
         """

@@ -30,7 +30,7 @@ Values = dict[str, Any]
 ENDLESS = MappingProxyType({"#inf": np.inf})
 LONG_DOUBLE = np.longdouble
 LONG_BITS = int(np.finfo(LONG_DOUBLE).nmant) + 1
-# Where long doubles are doubles, they tell nothing of a rounding; x87 has 64 bits.
+# Long doubles that are only doubles tell nothing of a rounding; those of x87 have 64 bits.
 IS_LONGER = LONG_BITS >= 64
 # Veltkamp's factor.
 FACTOR = LONG_DOUBLE(2) ** ((LONG_BITS + 1) // 2) + 1
@@ -73,7 +73,7 @@ def add_to_odd(a: Any, b: Any) -> Any:
     return np.where(moved, (bits + outward).view(np.float64), total)
 
 
-# What NumPy has functions of, in any format.
+# Kinds that are functions of NumPy, which take any format.
 UFUNCS: Mapping[str, Callable[..., Any]] = MappingProxyType(
     {
         kind: getattr(np, kind)

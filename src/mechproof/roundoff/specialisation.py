@@ -70,7 +70,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Resolved:
-    """Steps without decisions; how the number is found and which words are taken off by it."""
+    """Steps without decisions; how quarter turns are counted, and the words they take off."""
 
     straight: StraightLineProgram
     per: float

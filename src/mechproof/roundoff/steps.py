@@ -79,7 +79,7 @@ def _write_out(kind: str, *inputs: str) -> Expansion:
     return Expansion(trace(partial(meaning, TRACED), inputs))
 
 
-# What NumPy computes by its own tan and arctan; a test compares every bit.
+# Kinds that NumPy computes by its own tan and arctan; a test compares every bit.
 WAY = "NumPy's functions"
 IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
     {

@@ -78,9 +78,9 @@ PARITIES = Arithmetic(
 
 
 def check_signs(straight: StraightLineProgram, form: Form, names: Mapping[sp.Basic, str]) -> None:
-    """Require that what is negated in a form's domain turns no more than signs; ValueError if not.
+    """Require that arguments negated in a form's domain turn only signs; ValueError if not.
 
-    Then negative angles are off as positive ones are.
+    Then errors at negative angles are as large as at positive ones.
     """
     for given in list_negated(form, names):
         find_parities(straight, given)

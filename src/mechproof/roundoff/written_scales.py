@@ -106,7 +106,7 @@ def _is_seen(size: sp.Expr, quantity: Quantity, form: Form, paper: Paper) -> boo
 
 
 def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
-    """List expressions that are no larger than one, signs apart."""
+    """List expressions that are no larger than a scale in absolute value."""
     yield size
     parts = size.args
     if isinstance(size, sp.Add) and all(part.is_extended_nonnegative for part in parts):
@@ -131,7 +131,7 @@ def _write_out(expression: sp.Expr, given: Mapping[sp.Basic, sp.Expr]) -> sp.Exp
 
 
 def _is_multiple(part: sp.Expr, value: sp.Expr) -> bool:
-    """Say whether a part is seen to be a number of times a value, and no less, signs apart."""
+    """Say whether a part is visibly at least one times a value, in absolute values."""
     one, other = map(_drop_signs, (part, value))
     if one.has(sp.Abs, sp.Max) or other == 0:
         return False
@@ -154,7 +154,7 @@ def _list_terms(size: sp.Basic) -> set[sp.Basic]:
 
 
 def _drop_signs(term: sp.Expr) -> sp.Expr:
-    """Return what a term is the size of: only sizes are compared with it."""
+    """Return a term without absolute values, as only sizes are compared with it."""
     factors = sp.Mul.make_args(term)
     return sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else f for f in factors))
 
@@ -207,6 +207,6 @@ def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
-    # By their bits: 0.0 and -0.0 are equal and not one operand.
+    # Numbers by their bits: 0.0 and -0.0 are equal, but not the same operand.
     texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
     return step.kind, tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts
