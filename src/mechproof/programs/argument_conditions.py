@@ -25,7 +25,7 @@ def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
 def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
     """Select the relations a kernel checks: a sum is left to the root that it stands under.
 
-    Checked, it would cost as much as the formula.
+    Checking a sum would cost as much as the formula.
     """
     return tuple(r for r in domain_relations(quantity, paper) if not r.has(sp.Sum))
 

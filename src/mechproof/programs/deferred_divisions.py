@@ -74,7 +74,7 @@ class _Fractions:
         """Add the operations of a step; false where it needs a value with a denominator."""
         given = [self._find(operand) for operand in step.operands]
         if step.kind == "tan" and not given[0].below.powers:
-            # What is below stands for more than one value.
+            # The denominator is used by more than one value, so that it needs a name.
             count = sum(one.kind == "tangent_above" for one in self._operations)
             name = f"tangent_{count + 1}" if is_unnamed(step.result) else step.result
             angle = self._name(given[0].above, f"{name}_angle")
@@ -105,7 +105,7 @@ class _Fractions:
 
 
 def _combine(kind: str, degrees: Iterable[Degree]) -> Degree | None:
-    """Return the denominators of a result; None where those of its operands have to be one."""
+    """Return the denominators of a result; None where its operands must not have any."""
     try:
         return None if kind in ("add", "subtract") else DEGREES[kind](*degrees)
     except (KeyError, ValueError):

@@ -11,7 +11,7 @@ from mechproof.programs.program import Operand
 
 @dataclass(frozen=True)
 class Degree:
-    """The powers of factors that a value has; of what has none, `powers` is empty."""
+    """The powers of unknown factors that a value has; `powers` is empty if it has none."""
 
     powers: Mapping[Operand, int]
 

@@ -14,7 +14,7 @@ from mechproof.programs.program import Operand, Operation, Program, is_unnamed
 
 
 def block_branches(program: Program) -> Program:
-    """Return the program with NaN for what a branch takes, wherever it is not taken."""
+    """Return the program with NaN for the operands of a branch, wherever it is not taken."""
     for step in program.operations:
         if step.kind == "choose":
             program = _block(program, step.result)
@@ -34,7 +34,7 @@ def _block(program: Program, result: str) -> Program:
     before = [step for step in program.operations[:place] if step.result not in own]
     operations = [*before, *blocked, *program.operations[place:]]
     if is_unnamed(condition):
-        # What has no name is used once.
+        # A result without a name may be used only once, so that this one needs a name.
         names: dict[Operand, str] = {condition: unused_name("holds", taken)}
         operations = [step.rename(names) for step in operations]
     return replace(program, operations=tuple(operations))
@@ -47,7 +47,7 @@ def _block_branch(
     chosen: tuple[Operand, ...],
     taken: set[str],
 ) -> list[Operation]:
-    """List what chooses the operands of a branch, each in the empty place, and its own steps."""
+    """List the steps that choose a branch's operands, NaN in the empty place, and its own steps."""
     own = _list_own(program, choice, branch)
     made = {step.result for step in own}
     steps, names = [], dict[Operand, str]()

@@ -17,7 +17,7 @@ Step = tuple[sp.Symbol, sp.Expr]
 
 
 class KeepsShape(sp.Function):  # type: ignore[misc]
-    """A value that an argument only gives its shape and its NaN: value + 0*argument."""
+    """A value that takes only shape and NaN from an argument: value + 0*argument."""
 
     nargs = 2
 
@@ -40,7 +40,7 @@ class Enclosure:
 
 @dataclass(frozen=True)
 class Solved:
-    """The last of the iterates, which are steps, by which Newton's method gets to a root."""
+    """The iterates, which are steps, of Newton's method; the last one stands for the root."""
 
     exact: Root
     iterates: tuple[sp.Symbol, ...]
@@ -123,12 +123,12 @@ class Evaluation:
         return self.rearrange(self.steps, map_entries(convert, self.output))
 
     def list_angles(self, *functions: type[sp.Function]) -> list[sp.Expr]:
-        """List what functions are taken of, in SymPy's order."""
+        """List the arguments of functions, in SymPy's order."""
         found = {node.args[0] for e in self.expressions() for node in e.atoms(*functions)}
         return sorted(found, key=sp.default_sort_key)
 
     def rearrange(self, steps: Iterable[Step], output: sp.Basic) -> Evaluation:
-        """Take other steps and another output, which does without those it does not need.
+        """Take other steps and another output, leaving out steps that it does not need.
 
         The steps are ordered as the output needs them.
         """
@@ -176,7 +176,7 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
 
 
 def _solve(evaluation: Evaluation) -> Evaluation:
-    """Take Newton's steps in place of roots."""
+    """Replace roots by the steps of Newton's method."""
     roots = dict.fromkeys(r for e in evaluation.expressions() for r in find_parts(e, Root))
     steps: list[Step] = []
     found: list[Solved] = []
@@ -234,10 +234,11 @@ def find_carried(
     values: Mapping[sp.Basic, sp.Basic],
     known: dict[sp.Basic, set[sp.Basic]],
 ) -> set[sp.Basic]:
-    """Find the inputs whose NaN an expression has for certain; of steps this is kept as `known`.
+    """Find the inputs whose NaN is certain to make an expression NaN; `known` keeps those of steps.
 
-    Where the conditions of pieces are about NaN, none but the last holds; else one piece is taken.
-    Every step is looked into once: of Newton's each has the one before several times.
+    If the conditions of pieces are about NaN, only the last piece holds there; otherwise any one
+    piece is taken. Every step is looked into once: each of Newton's contains the one before several
+    times.
     """
     if isinstance(expression, sp.Piecewise):
         return _find_carried_by_pieces(expression, values, known)

@@ -62,7 +62,7 @@ class Kernel:
         return not self.is_shipped and not any(map(any, said))
 
 
-# The functions of the papers last asked for; a record with mappings in it has no hash.
+# The functions of the papers last asked for; a list, as records with mappings have no hash.
 _built: list[tuple[Paper, Functions]] = []
 MOST_BUILT = 8
 
@@ -139,13 +139,14 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     ]
     used = set().union(*map(_used_symbols, evaluations))
     running = quantity.arguments[0].symbols
-    # Of the parameters first: one number with one number, and with all points only once.
+    # Conditions on the parameters alone come first: they compare one number with one number, the
+    # others all points.
     conditions = tuple(sorted(checked, key=lambda r: r.has(*running)))
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
     vectors = _name_vectors(quantity, used, affine)
     parts = dict(vectors)
-    # What a condition may use: the arguments, vectors by their components.
+    # Names that a condition may use: the arguments, and for vectors their components.
     scalars = tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
     if len(forms) > 1 and any(isinstance(s, sp.IndexedBase) for s in evaluations[0].inputs):
         raise ValueError(f"{name}: forms of sums over an axis cannot be chosen by a condition")
@@ -166,7 +167,7 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
         ),
         shape=result_shape(evaluations[0].output),
         quiet=can_be_left(quantity, paper, conditions)
-        # Pieces are computed everywhere, also where another one is taken.
+        # All pieces are computed everywhere, even where another one is taken, and may warn there.
         or any(f.expression.has(sp.Piecewise) for f in forms),
     )
     started = [start_evaluation(quantity, form, paper) for form in forms]

@@ -37,7 +37,7 @@ def _name_head(row: Kind) -> str:
 FUNCTIONS: Mapping[str, str] = MappingProxyType(
     {head: kind for kind, row in KINDS.items() if (head := _name_head(row))}
 )
-# What papers may have: functions by SymPy's own names.
+# Functions that papers may use, by SymPy's own names.
 _PLAIN = [head for head, kind in FUNCTIONS.items() if not KINDS[kind].head]
 KNOWN = ", ".join(sorted([*_PLAIN, *(kind.__name__ for kind in STEPS), "Root"]))
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.CONSTANTS.items()})
@@ -83,7 +83,8 @@ class Lowering:
         return self._fold("both", map(self.lower_relation, relations))
 
     def _add(self, kind: str, *operands: Operand) -> str:
-        # The list never shrinks, so that no two temporaries have one number.
+        # Numbered by the length of the list, which never shrinks: no two temporaries share a
+        # number.
         result = f"{TEMPORARY}{len(self.operations) + 1}"
         self.operations.append(Operation(result, kind, operands))
         return result
@@ -113,7 +114,7 @@ class Lowering:
             return int(exact)
         if sp.Rational(float(exact)) == exact:
             return float(exact)
-        # As a quotient it is still the exact number to those who read the program.
+        # As a quotient it stays the exact number for those who read the program.
         return self._add("divide", int(exact.p), int(exact.q))
 
     def _constant(self, constant: sp.Basic) -> Operand:
@@ -130,7 +131,7 @@ class Lowering:
         return self._add(row.name, *map(self.lower, function.args))
 
     def _alongside(self, alongside: KeepsShape) -> Operand:
-        # Zero times the argument: the value takes its shape, and its NaN.
+        # Adding zero times the argument gives the value its shape and its NaN.
         value, argument = map(self.lower, alongside.args)
         return self._add("add", value, self._add("multiply", 0, argument))
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy as sp
 
-# What helpers and their variables begin with in a source of C.
+# Prefix of helper functions and their variables in C sources.
 HELPER = "mp_"
 ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, EITHER, COMPARISON, CHOICE = range(9, 0, -1)
 Level = int
@@ -60,7 +60,7 @@ class AxisReduction(Support):
     """A function of the support package that takes the last axes of an array together."""
 
 
-# A text is the name of a function.
+# A plain string is the name of a function.
 Spelling = Infix | Pattern | Support | str
 
 
@@ -212,11 +212,11 @@ def _view(name: str, pattern: str, level: Level, *indices: int) -> Kind:
 _NEGATIVE = Pattern("-{}", SIGN, SIGN)
 _FUSED = Pattern("{} * {} + {}", PRODUCT, SUM)
 _SAME = Pattern("{}", CHOICE, CHOICE)
-# In Octave the root of a negative number is complex, also in a branch that is not taken.
+# In Octave the root of a negative number is complex, even in a branch that is not taken.
 _REAL_ROOT = Pattern("real(sqrt({0})) ./ ({0} >= 0)", SUM, PRODUCT)
 _QUESTION = Pattern("{} ? {} : {}", EITHER, CHOICE)
 _ROWS = (
-    # What a machine computes.
+    # Arithmetic of the machine.
     _sign("add", "+", SUM, lambda on, a, b: a + b),
     _sign("subtract", "-", SUM, lambda on, a, b: a - b),
     _sign("multiply", "*", PRODUCT, lambda on, a, b: a * b, "."),
@@ -252,9 +252,9 @@ _ROWS = (
          python="_np.maximum", javascript="Math.max", coq="Rmax"),
     Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min", coq="Rmin"),
     Kind("copy", EXACT, None, _keep, fptaylor=_SAME, gappa=_SAME),
-    # What is off by an approximation.
+    # Stands for a value that is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
-    # What is decided.
+    # Comparisons and choices.
     _compare("less", "<", sp.Lt),
     _compare("less_equal", "<=", sp.Le),
     _compare("greater", ">", sp.Gt),
@@ -300,7 +300,7 @@ _ROWS = (
     Kind("sinc", LIBRARY, sp.sinc,
          lambda on, a: on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a),
          Support("functions", "sinc")),
-    # What is computed by others.
+    # Functions that are written out by others.
     _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),
     _composed("csc", sp.csc, lambda on, a: on.number(1) / on.sin(a)),
     _composed("cot", sp.cot, lambda on, a: on.number(1) / on.tan(a)),
@@ -313,7 +313,7 @@ _ROWS = (
          Support("functions", "hypot"), head="hypot",
          python="_np.hypot", octave="hypot", javascript="Math.hypot"),
     Kind("normal_tail", LIBRARY, lambda a: sp.erfc(sp.Abs(a) / sp.sqrt(2)) / 2),
-    # What a rounding left, and functions of small or reduced arguments.
+    # Rests of roundings, and functions of small or reduced arguments.
     Kind("product_rest", EXACT, None, lambda on, a, b, p: a * b - p,
          Support("error_free", "product_rest"), head="ProductRest"),
     Kind("quotient_rest", NEAREST, None, lambda on, a, b, q: a / b - q,
@@ -327,17 +327,17 @@ _ROWS = (
          Support("functions", "small_arctan"), head="SmallArctan"),
     Kind("tangent_quotient", LIBRARY, None, _tangent_quotient,
          Support("functions", "tangent_quotient"), head="TangentQuotient"),
-    # A tangent by two values, whose common factor does not count.
+    # Two values whose quotient is a tangent; a factor that they share does not matter.
     Kind("tangent_above", LIBRARY, None, lambda on, y: on.sin(y)),
     Kind("tangent_below", LIBRARY, None, lambda on, y: on.cos(y)),
     Kind("arctan_quotient", LIBRARY, None, lambda on, a, b: on.arctan(a / b)),
     Kind("single", NEAREST, None, _keep, Support("error_free", "single"), head="Single"),
     Kind("whole_turns_off", LIBRARY, None, _keep,
          Support("error_free", "whole_turns_off"), head="WholeTurnsOff"),
-    # A sum that is not negative, and the size of its terms.
+    # A sum that cannot be negative, and the size of its terms.
     Kind("nonnegative", EXACT, None, lambda on, total, size: total),
-    # What has axes that are summed over: a vector along the first or the last of two, a matrix
-    # transposed, its diagonal; what takes them together.
+    # Arrays with axes that are summed over: a vector along the first or the last of two axes, a
+    # matrix transposed, its diagonal; and what reduces these axes.
     _view("along_first", "{}[..., :, _np.newaxis]", ATOM, 0),
     _view("along_last", "{}[..., _np.newaxis, :]", ATOM, 1),
     _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE, 1, 0),

@@ -15,11 +15,11 @@ import sympy as sp
 
 from mechproof.programs.operations import VIEWS
 
-# A result, an input or a constant by its name, or a number that is a double.
+# An operand is a result, an input or a constant, by its name, or a number that is a double.
 Operand = str | int | float
-# The result of an operation that is used once and has no name of its own.
+# Prefix of results that are used once and have no name of their own.
 TEMPORARY = "_"
-# How functions of conditions are called.
+# Prefix of the functions that check conditions.
 CHECK = "_check_of_"
 
 
@@ -106,7 +106,8 @@ def unfuse(program: Program) -> Program:
 def spell_out_forms(program: Program) -> Program:
     """Return the program with products and a sum for each quadratic form.
 
-    The terms of one that is never negative have a size: |m[i, j]| <= sqrt(m[i, i]*m[j, j]).
+    For a form that is never negative the size of its terms is known: |m[i, j]| <= sqrt(m[i, i]*m[j,
+    j]).
     """
     operations: list[Operation] = []
 
@@ -131,7 +132,7 @@ def spell_out_forms(program: Program) -> Program:
     return replace(program, operations=tuple(operations)).normal_form()
 
 
-# Constants by names that no input can have.
+# Constants, under names that no input can have.
 CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
 )
@@ -159,7 +160,7 @@ class Stage:
 
     @property
     def prepares(self) -> bool:
-        """Say whether the parameters alone decide anything, but themselves."""
+        """Say whether anything is computed from the parameters alone."""
         return bool(self.prepare.operations) or self.prepare.outputs != self.parameters
 
     @property
@@ -244,7 +245,7 @@ def map_affinely(point: tuple[str, ...]) -> Program:
 
 
 def name_functions(codes: Iterable[KernelCode]) -> dict[str, str]:
-    """Return what each function is called: like the first of the module that does the same."""
+    """Return the name to call for each function: the first one in the module that does the same."""
     first: dict[object, str] = {}
     return {
         name: first.setdefault(made, name) for code in codes for name, made in _list_functions(code)
@@ -252,7 +253,7 @@ def name_functions(codes: Iterable[KernelCode]) -> dict[str, str]:
 
 
 def list_suffixes(code: KernelCode) -> list[str]:
-    """List how the functions of stages end, the last one like the kernel."""
+    """List the suffixes of the functions of stages; the last is that of the kernel."""
     others = [f"_{number}_of_{code.name}" for number in range(1, len(code.stages))]
     return [*others, f"_of_{code.name}"]
 

@@ -18,7 +18,7 @@ from mechproof.programs.program import (
 )
 from mechproof.record import Quantity
 
-# A whole turn off the argument is nothing to these.
+# Functions that do not change when whole turns are taken off their argument.
 PERIODIC = ("sin", "cos")
 
 
@@ -29,7 +29,8 @@ class WrittenForm:
         axes = _Axes(quantity)
         self._inputs = _name_inputs(quantity, code, stage, axes)
         self._steps: dict[sp.Symbol, sp.Expr] = {}
-        # Statements ask for several steps with the same ones kept.
+        # Expressions with steps inserted, by the steps that are kept: many statements keep the same
+        # ones.
         self._inserted: dict[tuple[sp.Symbol, ...], dict[sp.Symbol, sp.Expr]] = {}
         prepared = self._raise(stage.prepare, self._inputs, axes)
         evaluate = stage.evaluate or map_affinely(stage.running)
@@ -100,7 +101,7 @@ class _Axes:
         self._limits = {index: (index, *ends) for index, *ends in limits}
 
     def apply(self, kind: str, value: sp.Expr, operands: tuple[Operand, ...]) -> sp.Expr:
-        """Return what an operation on axes makes of a value indexed by the last ones."""
+        """Return the result of an operation on axes, for a value indexed by the last ones."""
         first, last = self.indices[0], self.indices[-1]
         if kind == "sum":
             count = int(operands[1])

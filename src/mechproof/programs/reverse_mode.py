@@ -19,10 +19,10 @@ from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
 from mechproof.record.parts import differentiate as differentiate_part, find_free, find_parts
 
 Given = Mapping[sp.Symbol, sp.Expr]
-# In place of the sine and the cosine of an angle.
+# Stand for the sine and the cosine of an angle.
 _S, _C = sp.symbols("S C", real=True)
 CONDITIONING = Scale("its conditioning", sp.S.One)
-# The papers last differentiated; a record with mappings in it has no hash.
+# The papers last differentiated; a list, as records with mappings have no hash.
 _known: list[tuple[Paper, Paper]] = []
 MOST_KNOWN = 8
 
@@ -52,7 +52,8 @@ def select_wanted(paper: Paper) -> tuple[Quantity, ...]:
 
 def _strip(quantity: Quantity) -> Quantity:
     form = quantity.shipped[-1]
-    # Where its row says in words of its own that the form is the definition, it stands for it.
+    # If the row of the form says something else than that it is the definition, the form stands for
+    # itself.
     exact = quantity.definition if form.states is None else form.expression
     bare = Form(form.name, form.expression, form.rewrites)
     return replace(
@@ -91,7 +92,7 @@ def chain(
     given: Given,
     tidy: Callable[[sp.Expr], sp.Expr] = lambda slope: slope,
 ) -> list[sp.Expr]:
-    """Return the derivatives by the symbols; `tidy` writes each in other words."""
+    """Return the derivatives by the symbols; `tidy` rewrites each one."""
 
     def differentiate_step(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         return _choose_shorter(_choose_sides(differentiate_part(value, symbol)), tidy)
@@ -115,10 +116,10 @@ def _go_back(
 ) -> sp.ImmutableDenseMatrix:
     """Return the derivatives by the symbols as they are computed."""
     plain = _write_tangents(expression, symbols[0], given)
-    # What is homogeneous stays so: written by cosines alone, it would cancel.
+    # A homogeneous expression stays so: written by cosines alone, it would cancel.
     tidy = _factor if plain == expression else lambda slope: slope
     entries = chain(plain, symbols, given, tidy)
-    # An argument that no derivative depends on gives its shape and its NaN.
+    # An argument that no derivative depends on still gives the result its shape and its NaN.
     needed = {s for entry in entries for s in trace_inputs(entry, given)}
     for idle in (s for s in symbols if s not in needed):
         entries = [KeepsShape(entry, idle) for entry in entries]
@@ -140,9 +141,9 @@ def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
 
 
 def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp.Expr:
-    """Write the tangent of the running variable by sine and cosine: poles would cancel.
+    """Write the tangent of the running variable as sine over cosine: its poles would cancel.
 
-    What is rational in it becomes homogeneous in both, whose squares add to 1.
+    An expression that is rational in it becomes homogeneous in both, whose squares add up to 1.
     """
     tangent, steps = sp.tan(running), _order_steps(expression, given)
     turning = {s: given[s] for s in steps if given[s].has(tangent)}
@@ -156,7 +157,7 @@ def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp
 
 def _homogenise(expression: sp.Expr) -> sp.Expr:
     if isinstance(expression, sp.atan2):
-        # The square of the cosine, which both may be multiplied by, is positive.
+        # Both sides may be multiplied by the square of the cosine, which is positive.
         return sp.atan2(*(sp.expand(side * _C**2) for side in expression.args))
     if expression.is_Add:
         return sp.Add(*map(_homogenise, expression.args))

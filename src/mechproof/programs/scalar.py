@@ -28,7 +28,7 @@ from mechproof.programs.program import (
 from mechproof.record import Paper
 
 LOOPS = "ij"
-# The operations that a printed sum is made of.
+# The kind of operation that gives the rests in a printed sum.
 ADDED = "total_rest"
 
 
@@ -121,7 +121,7 @@ class _Folder:
 
 
 class _Term:
-    """Collects what one term is computed of."""
+    """Collects the operations from which one term is computed."""
 
     def __init__(self, program: Program, axes: Mapping[str, int], spread: set[Operand]) -> None:
         self.axes = axes
@@ -142,7 +142,7 @@ class _Term:
             seen = KINDS[view].indices if view and count else tuple(range(count))
             return self._element(operand, seen)
         if step.kind in VIEWS:
-            # What is transposed has the diagonal that it had.
+            # A transposed matrix has the same diagonal.
             return self.take(step.operands[0], view if view == "diagonal" else step.kind)
         if operand not in self._spread and not operand.startswith(TEMPORARY):
             return self._element(operand, ())
@@ -228,7 +228,7 @@ def list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
 def rename_components(
     code: KernelCode, arguments: tuple[ScalarArgument, ...]
 ) -> Mapping[Operand, str]:
-    """Name the components of vectors after their argument: a symbol may be one of a step, too."""
+    """Name the components of vectors after their argument: a step may have the symbol, too."""
     parts = {a.name: a.components for a in arguments}
     return {
         old: new
@@ -251,7 +251,7 @@ def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
 
 
 def list_conditions(kernel: Kernel) -> list[Program]:
-    """List what is asked before a point is computed: the domain, then when each form is taken."""
+    """List the conditions tested before a point is computed: the domain, then each form's own."""
     asked = name_domain(kernel), *(stage.when for _, stage in list_stages(kernel))
     return [program for program in asked if program]
 
@@ -277,7 +277,7 @@ def join_stage(stage: Stage) -> Program:
     names: dict[Operand, Operand] = {}
     given: dict[Operand, Operand] = {}
     for name, value in zip(after.inputs[len(stage.running) :], before.outputs, strict=True):
-        # What has no name is used once; what is prepared may be used often.
+        # A result without a name may be used only once, but what is prepared may be used often.
         if is_unnamed(value) and value not in names:
             names[value] = unused_name(name, taken)
             taken.add(str(names[value]))

@@ -25,15 +25,15 @@ from mechproof.record.parts import find_free, replace_parts
 NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four"}
 POWERS = {2: "squared", 3: "cubed"}
 LONGEST = 24
-# What signatures say, and what the runtime asks modules of kernels for.
+# Names in the signatures of kernels, and those that the runtime looks up in their modules.
 PUBLIC = frozenset({"out"})
 PUBLIC_IN_MODULES = frozenset({"Any", "ArrayLike", "DOMAIN", "NDArray", "PUBLISHED", "annotations"})
-# Modules that emitted code has by names of its own, and what annotations name.
+# Modules that emitted code imports under names of its own, and the names used by annotations.
 MODULES: Mapping[str, str] = MappingProxyType({"math": "_math", "numpy": "_np"})
 ANNOTATED: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"typing": ("Any",), "numpy.typing": ("ArrayLike", "NDArray")}
 )
-# Imports come in this order, those of one package beside each other.
+# Imports are sorted in this order, those of one package beside each other.
 PACKAGES = ("", "numpy", "mechproof")
 
 
@@ -69,7 +69,7 @@ def _find_package(module: str) -> int:
 def suggest_name(expression: sp.Expr, otherwise: str = "term") -> str:
     """Return a name that says what the expression is, or `otherwise` where that would be long."""
     name = _spell(expression)
-    # What has no word, as a fraction, is spelled as nothing and leaves an underscore.
+    # Parts without a word, such as fractions, are spelled as nothing and leave an underscore.
     readable = name.isidentifier() and name == name.strip("_")
     return name if readable and len(name) <= LONGEST else otherwise
 
@@ -139,7 +139,7 @@ def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
 def _count(expression: sp.Expr, seen: Counter[sp.Expr], named: Container[sp.Expr]) -> None:
     """Count compound nodes in order; what lies inside a Sum depends on its index and stays there.
 
-    What lies inside of what repeats is smaller than that, and not counted again.
+    Parts of an expression that repeats are smaller than it, and are not counted again.
     """
     if isinstance(expression, sp.Sum) or _is_worth_naming(expression):
         seen[expression] += 1

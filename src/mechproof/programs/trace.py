@@ -23,9 +23,9 @@ from mechproof.programs.program import (
     is_unnamed,
 )
 
-# What asks more often is no formula.
+# The most ways through a function: one with more decisions is no formula.
 MOST_WAYS = 64
-# What is put after the operands of some kinds.
+# Text that some kinds need after their operands.
 Last = Mapping[str, str]
 
 
@@ -102,7 +102,7 @@ class Value:
 
 
 class Tape:
-    """What is done to values while one function after the other runs."""
+    """The record of what is done to values while one function after the other runs."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
@@ -199,7 +199,7 @@ def show(value: Any) -> Any:
     raise ValueError(f"{value!r} is no value")
 
 
-# What shows a vector along the first or the last of two axes.
+# Indices that show a vector along the first or the last of two axes.
 VIEWS = {
     show((..., slice(None), None)): "along_first",
     show((..., None, slice(None))): "along_last",
@@ -210,9 +210,9 @@ def _record(kind: str, first: Value, *others: Any) -> Value:
     return first.apply(kind, first, *others)
 
 
-# Every kind is one operation, whatever it is put together of.
+# Every kind is recorded as one operation, whatever it is composed of.
 TRACED = Arithmetic({kind: partial(_record, kind) for kind in KINDS})
-# What a machine computes, as the rows of operations state it.
+# Operations of the machine, as functions to write bodies with.
 Recorded = Callable[..., Value]
 fma: Recorded = TRACED["fma"]
 multiply_add: Recorded = TRACED["multiply_add"]
@@ -229,7 +229,7 @@ def copysign(a: Value | float, b: Value) -> Value:
     return b.apply("copysign", a, b)
 
 
-# So many terms of a polynomial may wait for each other.
+# The longest polynomial, in terms, that is computed by Horner's rule as a single chain.
 CHAIN = 7
 
 

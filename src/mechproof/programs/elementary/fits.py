@@ -20,16 +20,18 @@ from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import Series, list_terms, working
 from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 
-# Beyond the ends, for the rounding of what is reduced to an interval.
+# Share by which intervals reach beyond their ends, to cover the rounding of reduced arguments.
 MARGIN = 2.0**-20
 PIECES, ORDER, BITS = 64, 24, 256
-# Of numbers near each other, in powers up to a hundred: what is lost is far less.
+# Precision, in bits, of the linear equations between powers up to a hundred of numbers near each
+# other: far fewer bits are lost.
 FIT_BITS = 600
-# A piece whose rest is more than this is halved.
+# A piece is halved while the rest of its Taylor polynomial exceeds this share of the value.
 REST = 2.0**-70
-# Of the variable (x - TAIL)/(x + TAIL): polynomials in it need the fewest terms near this.
+# Centre of the variable (x - TAIL)/(x + TAIL): near this value polynomials in it need the fewest
+# terms.
 TAIL = 6.0
-# Beyond, the tail is less than the smallest double.
+# Beyond this argument the tail of the normal law is less than the smallest double.
 TAIL_END = 39.0
 Sides = Callable[[arb_series], tuple[arb_series, arb_series]]
 
@@ -47,8 +49,8 @@ class Target:
     """A function to be approximated in the square of its argument, from 0 to `last`.
 
     `sides` are the whole function by a quotient and the true one, both multiplied by what makes
-    them polynomials and entire or analytic. What has a `first` is approximated in its argument,
-    from there.
+    them polynomials and entire or analytic. With a `first`, it is approximated in the argument
+    itself, from there.
     """
 
     meaning: str
@@ -57,7 +59,7 @@ class Target:
     first: float | None = None
 
     def value(self, place: Ball) -> Ball:
-        """Return what the quotient is to be for both sides to be equal."""
+        """Return the value that the quotient must have at a place for both sides to be equal."""
         argument = arb_series([place if self.first is not None else place.sqrt()])
         zero, true = self.sides(Rational((0.0,), (1.0,)), argument)
         one, _ = self.sides(Rational((1.0,), (1.0,)), argument)
@@ -143,7 +145,7 @@ def interpolate(
 ) -> list[Ball]:
     """Return coefficients of powers, then of those in a denominator beside a 1.
 
-    The nodes are Chebyshev's of the interval, of odd powers the positive ones. The largest error
+    The nodes are Chebyshev's of the interval; for odd powers, the positive ones. The largest error
     is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15), which
     the exchange of Remez (1934) would find. The working precision is to be `FIT_BITS`.
     """
@@ -160,12 +162,12 @@ def interpolate(
 
 
 def expand_about(middle: Ball, reach: Ball) -> tuple[Series, Series]:
-    """Return the variable as series in shares of a reach: about a middle, and over all within."""
+    """Return the variable as series in shares of a reach: about the middle, and over all within."""
     return arb_series([middle, reach]), arb_series([arb(middle, reach.upper()), reach])
 
 
 def bound_terms(near: Series, far: Series) -> list[Ball]:
-    """Bound the terms of what was computed of both: the last holds over the interval."""
+    """Bound the terms of a result from both series: the last one holds over the interval."""
     return [*map(abs, list_terms(near)[:-1]), abs(list_terms(far)[-1])]
 
 
@@ -201,7 +203,7 @@ def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[floa
     with working(ORDER + 1, BITS):
         for low, high in pieces:
             half = (high - low) / 2
-            # From 0 both are expanded there.
+            # A piece that begins at 0 is expanded there, where both sides may vanish.
             place = (low, high) if low == 0 else (low + half, half)
             bounds.append(_enclose_piece(sides, *place))
     return bounds
@@ -212,7 +214,7 @@ def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
     vanishes = [bool(side[0] == 0) for side in near]
     if vanishes[1] and not vanishes[0]:
         return math.inf
-    # Of what vanishes the second term is the first that counts.
+    # If both sides vanish at 0, the second term is the first that counts.
     first = 1 if vanishes[1] else 0
     off = bound_terms(near[0] - near[1], far[0] - far[1])[first:]
     leading, *others = bound_terms(near[1], far[1])[first:]

@@ -37,7 +37,8 @@ from mechproof.programs.trace import (
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
-# Of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its own.
+# Rounding of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its
+# own.
 ROUNDED = 4
 
 
@@ -57,8 +58,8 @@ class Function:
     far: Program | None
 
 
-# What is computed in plain arithmetic, by its name: how, of which inputs, and by which function of
-# a library beyond the largest angle.
+# The functions that are computed in plain arithmetic, by name: how, from which inputs, and by which
+# library function beyond the largest angle.
 BODIES: dict[str, tuple[Body, tuple[str, ...], Body | None]] = {}
 
 
@@ -151,7 +152,7 @@ class _Maker:
         z = r * r
         sine = multiply_add(r * z, polynomial(z, odd.above), r)
         bend = z * 0.5
-        # What the rounding of 1 - z/2 takes is added again, as by FreeBSD's library.
+        # Adds what the rounding of 1 - z/2 took away, as FreeBSD's library does.
         near = 1.0 - bend
         cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - bend)
         half = n * 0.5
@@ -208,7 +209,7 @@ class _Maker:
         return self.near_itself(w, fits.ARCTANGENT, self.form.arctangent)
 
     def near_itself(self, y: Value, target: Target, degree: int) -> Value:
-        """Return an odd function that is its argument for small ones."""
+        """Return an odd function that is nearly its argument for small ones."""
         fitted = self.fit(target, degree)
         z = y * y
         return multiply_add(y * z, polynomial(z, fitted.above), y)
@@ -332,7 +333,7 @@ class _Maker:
 
 
 def _turn(value: Value, half_turns: Value) -> Value:
-    """Return a value with the sign that a whole number of half turns gives it."""
+    """Return a value, negated for an odd number of half turns."""
     half = half_turns * 0.5
     return choose(floor(half) == half, value, -value)
 

@@ -60,10 +60,10 @@ _MEANT = TRACED.but(number=float)
 
 @cache
 def write_plainly(kind: str) -> Program:
-    """Return what a kind is computed from, where a language does not have it.
+    """Return the program of a kind, for languages that do not have it.
 
-    A function of libraries is what it means in others of them; what a rounding left is not.
-    Raises NotImplementedError for a kind that is neither.
+    A library function is replaced by its meaning; the rest of a rounding cannot be. Raises
+    NotImplementedError for other kinds.
     """
     if kind in PLAIN:
         body = PLAIN[kind]
@@ -83,7 +83,7 @@ def _find_meaning(kind: str) -> Callable[..., Any] | None:
 
 
 def needs_roundings(kind: str) -> bool:
-    """Say whether what a kind is computed from must round every sum and product by itself."""
+    """Say whether the program of a kind must round every sum and product by itself."""
     if kind in PLAIN:
         return kind in ("fma", "product_rest", "quotient_rest")
     return kind in BODIES and _find_meaning(kind) is None

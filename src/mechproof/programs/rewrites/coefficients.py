@@ -38,5 +38,5 @@ def _affine_inputs(inputs: frozenset[sp.Basic], rows: tuple[sp.Expr, ...]) -> li
     slopes = {s: [sp.diff(row, s) for row in rows] for s in candidates}
     flat = [s for s in candidates if not any(d.has(s) for d in slopes[s])]
     joint = [s for s in flat if not any(d.has(other) for d in slopes[s] for other in flat)]
-    # A plain summand, its slopes numbers, has nothing to name.
+    # An input that is only added, with numbers for slopes, has no coefficient to name.
     return [s for s in joint if not all(d.is_number for d in slopes[s])]

@@ -51,7 +51,8 @@ class Factors:
             number, factors = factor_list(polynomial)
         except sp.PolynomialError as error:
             raise ValueError(f"factors: {polynomial} is no polynomial") from error
-        # The number is multiplied last: 2*(1 - e) with one sum only would become 2 - 2*e in SymPy.
+        # The number is multiplied last: SymPy would turn 2*(1 - e), with a single sum, into 2 -
+        # 2*e.
         sign, result = sp.sign(number), sp.S.One
         for base, power in factors:
             if base.is_Add and _reads_better_negated(base, sign * result, power):

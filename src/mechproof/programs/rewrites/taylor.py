@@ -14,7 +14,7 @@ import sympy as sp
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.programs.evaluation import Enclosure, Evaluation, Step
 
-# The polynomial is off by no more than this part of its first term, and has no more terms.
+# The largest error of the polynomial, as a share of its first term, and its most terms.
 PART, MOST_TERMS = sp.Rational(1, 2**56), 20
 # A polynomial serves up to the first of these that its terms suffice for.
 LIMITS = (sp.Integer(2), sp.Integer(1), sp.Rational(1, 2), sp.Rational(1, 4), sp.Rational(1, 8))
