@@ -10,9 +10,9 @@ import re
 
 from mechproof.programs.operations import HELPER, KINDS
 
-# Of <math.h>, for doubles and for floats.
+# Functions of <math.h>, for doubles and for floats.
 _FUNCTIONS = [row.c for row in KINDS.values() if isinstance(row.c, str) and row.c.isidentifier()]
-# What headers say of kernels beside the names of the paper.
+# Names of parameters in headers, beside the names of the paper.
 DECLARED = ("count", "terms", "out")
 # Arrays of the results of several kernels begin with this.
 STORED = "out_"

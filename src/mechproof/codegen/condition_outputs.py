@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
-# A value above 0, or not below, that is finite.
+# Kinds that say that a value is finite and above 0, or not below it, and their comparisons.
 SIGNS: Mapping[str, str] = MappingProxyType(
     {"is_positive": "greater", "is_nonnegative": "greater_equal"}
 )

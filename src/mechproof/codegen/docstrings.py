@@ -18,12 +18,13 @@ from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
 WIDTH = 92
 INDENT = "    "
-# Lines of a scale's formula without steps; of a longer one the name alone is told.
+# The most lines in which a scale's formula without steps is shown; of a longer one only the name is
+# told.
 LONGEST_SCALE = 8
-# Symbols that a formula explains itself; where there are more, those of several kernels are
-# explained once, by the module.
+# The most symbols that a formula explains itself; where there are more, those that several kernels
+# have in common are explained once, by the module.
 MOST_SYMBOLS = 4
-# What holds for every kernel of a module.
+# What the docstring of a module says of all its kernels.
 COMMON = (
     "Arguments broadcast. The result is a NumPy scalar where they are scalars, an array otherwise; "
     "float32 if every array argument is float32, float64 otherwise. `out`, an array of the "
@@ -36,7 +37,7 @@ ACCURACY = (
     "Accuracy is tested: on the stated arguments no search has found a result that is off by more. "
     "It is of float64, in which float32 is computed, too; eps = 2**-52."
 )
-# Of one kernel, beside what is proved.
+# Heading of the tested accuracy of a kernel, where a proved one stands beside it.
 TESTED = "Accuracy, tested"
 DERIVATIVES = (
     "Arguments, domain, `out` and errors are those of the kernel with the same name, one module "
@@ -74,7 +75,7 @@ def write_docstring(text: str) -> str:
     return text.replace("\\", "\\\\").replace('"""', r"\"\"\"")
 
 
-# What stands in a text for that of a paper: templates take them as filters.
+# How a text of a paper is escaped for each place where it stands; templates take these as filters.
 ESCAPES: Mapping[str, Callable[[str], str]] = MappingProxyType(
     {
         "comment": fold,
@@ -182,7 +183,7 @@ def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
     for scale, steps in scales:
         texts = (scale, *(step for step in steps if counts[step] == 1))
         lines = [line for text in texts for line in _wrap_formula(text)]
-        # The name of a long formula without steps says what it is.
+        # A long formula without steps is left out, as its name says what it is.
         if steps or len(lines) <= LONGEST_SCALE:
             blocks.append(lines)
     return blocks
@@ -310,7 +311,7 @@ def describe_domain(quantity: Quantity, paper: Paper) -> str:
     """Say for which arguments a quantity is meant."""
     names = input_names(quantity)
     part = f" ({quantity.on.text})" if quantity.on else ""
-    # Words say more of a sum than its text.
+    # The words about a sum say more than its formula.
     told = (r for r in domain_relations(quantity, paper) if not (part and r.has(sp.Sum)))
     relations = [write_formula(r, names) for r in told]
     limits = join_equal_limits(chain_relations(relations))

@@ -44,7 +44,7 @@ NEAR_ZERO = ", near 0"
 # Ends the number of the row that says that Newton's steps lead to a root.
 CONVERGES = ", converges"
 _ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
-# Where an iterate is, in widths of the bracket from its lower end.
+# Place of an iterate, as a share of the bracket's width from its lower end.
 _PLACE = sp.Symbol("place", real=True)
 
 
@@ -80,7 +80,7 @@ def derivative_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def _note_differentiated(row: Row, quantity: Quantity) -> Row:
-    """Say of what an equality with derivatives has them."""
+    """Attach to an equality between derivatives what was differentiated, and by which letters."""
     if not isinstance(row.says, Equality):
         return row
     letters = tuple(argument.symbols[0] for argument in quantity.arguments)
@@ -89,14 +89,14 @@ def _note_differentiated(row: Row, quantity: Quantity) -> Row:
 
 
 def _tell_derivatives(row: Row) -> Row:
-    """Say of a row on the source of a kernel that it is on that of its derivatives."""
+    """Turn a row on the source of a kernel into one on the source of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "what the chain rule makes of the definition")
     return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
 def list_derivative_numbers(quantity: Quantity) -> list[str]:
-    """List the numbers that rows on the derivatives of a quantity may have; the first there is."""
+    """List the numbers that rows on a quantity's derivatives may have; the first always exists."""
     numbers = [n for form in quantity.shipped[-1:] for n in _number_rows(quantity, form)]
     return [f"{DERIVATIVES}{number}" for number in numbers]
 
@@ -225,7 +225,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
 def _equal_but_enclosures(
     enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: EmittedForm
 ) -> Statement:
-    """State an equality with what is enclosed in place of the steps that enclose it."""
+    """State an equality, with the exact values in place of the steps that enclose them."""
     exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
     return Equality(code.output(*exact).xreplace(exact), definition)
 
@@ -247,7 +247,7 @@ def _state_steps(code: EmittedForm, solved: Solved) -> Statement:
 
 
 def _widen(on: Part | None) -> Part:
-    """Let the place of an iterate be any."""
+    """Let the place of an iterate be any real number."""
     on = on or Part("", {})
     return replace(on, within={**on.within, _PLACE: sp.S.Reals})
 
@@ -271,7 +271,7 @@ def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
 
 
 def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
-    """Return what a definition that is a declared symbol is declared to be."""
+    """Return the declared value of a definition that is a declared symbol."""
     for _ in paper.given:
         definition = paper.given.get(definition, definition)
     return definition

@@ -14,7 +14,7 @@ from mechproof.programs.step_names import sort_positive_first
 class FormulaPrinter(StrPrinter):  # type: ignore[misc]
     """Plain text with the arguments' names and sums in the order people write them."""
 
-    # By SymPy's own name for it elements of indexed symbols would print themselves.
+    # Under SymPy's own name for this, elements of indexed symbols would print themselves.
     printmethod = "_formula_text"
 
     def __init__(self, names: Mapping[sp.Basic, str]) -> None:

@@ -25,7 +25,8 @@ from mechproof.programs.program import (
 )
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
-# Functions that act on axes, by what they are given besides an array: the operation, and operands.
+# Functions that act on axes, with their arguments besides an array: the operation they stand for,
+# and its operands.
 OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
     {
         ("add_up", ("axis", -1)): ("sum", 1),
@@ -36,7 +37,7 @@ OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
         ("diagonal", ("axis1", -2), ("axis2", -1)): ("diagonal",),
     }
 )
-# What a module holds besides functions, which is not read here.
+# Names that a module holds besides functions; these are not read here.
 HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED"})
 Meant = Iterator[tuple[str, RecordedFunction]]
 

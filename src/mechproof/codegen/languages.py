@@ -25,8 +25,8 @@ from mechproof.programs.operations import (
     Support,
 )
 
-# Where compiled kernels find the elementary functions, and the last argument of a compiled function
-# that is right up to the largest angle only.
+# Prefix of the elementary functions in compiled kernels, and the last argument of a compiled
+# function that is right only up to the largest angle.
 ELEMENTARY, EXACT = "_elementary.", "_exact"
 CONSTANTS = MappingProxyType({"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"})
 
@@ -63,10 +63,10 @@ def _name_constants(
 
 
 NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})
-# In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
-# a module, which the runtime asks of fractions, they are not.
+# In kernels whole numbers are written as floats, which NumPy combines with arrays faster; in the
+# facts of a module, which the runtime evaluates with fractions, they stay whole.
 NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
-# All whole numbers up to it are doubles.
+# All whole numbers up to this are doubles.
 _MOST_EXACT = 2**53
 
 
@@ -77,8 +77,8 @@ def _write_compiled(number: float) -> str:
 
 # The functions of a language's own library, for angles that are reduced there.
 _LIBRARY = ("tan", "sin", "cos")
-# One number at a time; `exact` says whether what angles far out give is wanted, however long it
-# takes, or NaN.
+# Computes one number at a time; `exact` says whether far angles give their values, however long
+# that takes, or NaN.
 NUMBA = replace(
     _spell({k: row.numba for k, row in KINDS.items()}, ELEMENTARY),
     number=_write_compiled,
@@ -87,7 +87,7 @@ NUMBA = replace(
 NUMBA_FAR = _change(NUMBA, {name: f"_math.{name}" for name in _LIBRARY}, last={})
 C99 = replace(
     _spell({k: row.c for k, row in KINDS.items()}, HELPER),
-    # Wherever an angle lies: loops over points alone know that all are near.
+    # Right for every angle; only loops over points know that all their angles are near.
     last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
     constants=_name_constants("HUGE_VAL", "NAN"),
     number=lambda number: repr(float(number)),
@@ -101,7 +101,7 @@ def _write_single(number: float) -> str:
     return f"{digits}f" if "." in digits or "e" in digits else f"{digits}.0f"
 
 
-# What <math.h> has for doubles and, with an f, for floats; isfinite is a macro for both.
+# Functions of <math.h> for floats, with an f; isfinite is a macro for both types.
 _SINGLE = {
     kind: f"{name}f"
     for kind, name in C99.calls.items()
@@ -152,7 +152,7 @@ def _script(
     return Script(name, _change(syntax, lacking), suffix, native, MappingProxyType(helpers), **more)
 
 
-# What variables of formulas begin with, beside those of the paper.
+# Prefixes of variables of formulas, beside the names of the paper.
 FORM, RESULT = "form_", "result"
 
 
@@ -187,7 +187,7 @@ def _spell_array_api(row: Kind) -> Spelling | None:
     return found
 
 
-# What makes an array of a number, as functions of the standard want it.
+# The operation that makes an array of a number, as functions of the standard need one.
 ARRAY = "array"
 _ARRAY_API = replace(
     _spell(
@@ -200,7 +200,7 @@ _ARRAY_API = replace(
     # Functions beside the formula take the namespace, too.
     last=MappingProxyType({k: "xp" for k, row in KINDS.items() if not _spell_array_api(row)}),
 )
-# Names of functions that a formula may call, and words.
+# The words are those of Octave, and names of functions that a formula may call.
 _OCTAVE = replace(
     _spell({k: row.octave for k, row in KINDS.items()}),
     constants=_name_constants("Inf", "NaN"),
@@ -230,7 +230,7 @@ _STRUCTURED_TEXT = replace(
     constants=_name_constants("", ""),
     number=_write_long_real,
 )
-# Of IEC 61131-3, where capitals do not count.
+# Words of IEC 61131-3, in which capitals do not count.
 STRUCTURED_TEXT_WORDS = (
     "abs acos action and any array asin at atan atan2 bool by byte case configuration cos date "
     "dint do dt dword else elsif end exit exp expt false for from function if int interface ld le "

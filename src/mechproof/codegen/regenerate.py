@@ -30,7 +30,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "mechproof.kernel_support.facts": ("Condition", "Sizes"),
     }
 )
-# What modules have beside functions, and what their types are made from.
+# Names that stubs declare besides functions, and the types that these are made from.
 HEADER = (
     "DOMAIN: _tuple[_Condition, ...]",
     "PUBLISHED: _tuple[_Sizes, ...]",
@@ -49,7 +49,7 @@ class Signature(NamedTuple):
     gives: str
 
 
-# Lists, single precision, arrays of other packages; the type does not tell what they give.
+# For lists, single precision and arrays of other packages, the type does not tell the result's.
 ANY = Signature("ArrayLike", "_Out", "Any")
 NUMBERS = (
     Signature("_float", "", "_float64"),
@@ -86,7 +86,7 @@ def render_stubs(paper: Paper) -> dict[str, str]:
 
 
 def _describe(kernel: Kernel) -> StubFunction:
-    # A sum over all axes that there are is a number, one over the last of several is none.
+    # A sum over all axes is a number, one over the last of several is an array.
     of_one = (ANY,) if kernel.code.axes else NUMBERS
     return StubFunction(
         kernel.name, kernel.quantity.arguments, ARRAYS if kernel.code.shape else of_one

@@ -24,7 +24,7 @@ from mechproof.programs.operations import KINDS
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.programs.trace import RecordedFunction, Tape, show
 
-# All that emitted code is made of.
+# The kinds of syntax that emitted code consists of.
 _PARTS = (
     "Module Import ImportFrom alias FunctionDef arguments arg Assign Expr If Return With withitem "
     "Name Load Store Constant BinOp UnaryOp Compare BoolOp Call keyword Starred Attribute "
@@ -32,15 +32,15 @@ _PARTS = (
     "BitOr Lt LtE Gt GtE Eq Is IsNot"
 )
 KNOWN = frozenset(_PARTS.split())
-# Modules go by short names; everything else has its own, behind the underscore of the machinery.
+# Modules have short names; everything else keeps its own, behind the underscore of the machinery.
 SHORT = {"numpy": "_np", "math": "_math"}
 MODULES = re.compile(
     r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\.(kernels\.|kernel_|compiled_).*"
 )
 TYPES = ("Any", "ArrayLike", "NDArray[Any]", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
-# What annotations name, which nothing evaluates, and what indexes a new axis.
+# Names in annotations, which nothing evaluates, and the index of a new axis.
 UNUSED = dict.fromkeys(("annotations", "Any", "ArrayLike", "NDArray", "newaxis"))
-# Functions whose operation has another name; the others are called like it.
+# Functions whose operation has another name; all others have the name of theirs.
 RENAMED: Mapping[str, str] = MappingProxyType(
     {
         "abs": "absolute",
@@ -48,7 +48,7 @@ RENAMED: Mapping[str, str] = MappingProxyType(
         **{str(row.c): kind for kind, row in KINDS.items() if row.numba == f"_math.{row.c}"},
     }
 )
-# What reports: names that no source can have.
+# Names of the functions that report to the tape: no source can have such names.
 VALUE, ASSIGN, SAME, DEFINE = "a value", "an assignment", "an identity", "a function"
 FILE = "<emitted>"
 Offer = Callable[[Tape], Mapping[str, Any]]
@@ -70,12 +70,12 @@ class _Instrument(ast.NodeTransformer):
             _refuse(node, f"no emitted code has {ast.unparse(node)!r}")
         block = node.body if isinstance(node, ast.FunctionDef | ast.If | ast.With) else []
         if any(isinstance(statement, ast.Return) for statement in block[:-1]):
-            # What stands there is never run: no tape would show it.
+            # Code after a return is never run: no tape would show it.
             _refuse(node, "more comes after a return")
         return super().visit(node)
 
     def visit_alias(self, node: ast.alias) -> ast.alias:
-        # Else one function could be called by the name of another.
+        # Otherwise one function could be called by the name of another.
         if node.asname not in (None, SHORT.get(node.name, f"_{node.name}")):
             _refuse(node, f"{node.name} is called {node.asname}")
         return node
@@ -160,7 +160,7 @@ def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
     def define(found: Any) -> Any:
         decorator, function = found if isinstance(found, tuple) else ("", found)
         defined[function.__name__] = decorator, function
-        # What is compiled is one operation to those who call it, and is read by itself.
+        # A compiled function is one operation to its callers, and is read by itself.
         return partial(tape.record, function.__name__) if decorator else function
 
     offered = {**UNUSED, **offer(tape)}
@@ -217,5 +217,5 @@ def _list_parts(function: RecordedFunction | None) -> Iterator[object]:
 
 
 def _round(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
-    """Return operands with numbers of more bits than a double has as they are written."""
+    """Return operands with whole numbers rounded to doubles, as they are when printed."""
     return tuple(float(one) if isinstance(one, int) else one for one in operands)

@@ -35,7 +35,7 @@ class ProgramText:
 
 
 def write_program(program: Program, syntax: Syntax) -> ProgramText:
-    """Write a program; what has no name stands where it is used."""
+    """Write a program; results without a name stand where they are used."""
     writer = _Writer(syntax)
     steps = []
     for operation in program.operations:
@@ -85,10 +85,9 @@ class _Writer:
     def _write_infix(self, kind: str, one: Operand, other: Operand) -> tuple[str, Level]:
         infix = self._syntax.infix[kind]
         level = infix.level
-        # Comparisons do not chain: both sides bind more.
+        # Comparisons do not chain, so that both sides must bind more.
         left = level + 1 if level == COMPARISON else level
-        # Brackets to the right stay, of sums and products, too: a + (b + c) is rounded as it
-        # stands.
+        # Brackets on the right stay even for sums and products: a + (b + c) is rounded as written.
         return f"{self.enclose(one, left)} {infix.sign} {self.enclose(other, level + 1)}", level
 
     def _write_reduction(self, kind: str, value: Operand, axes: Operand) -> str:

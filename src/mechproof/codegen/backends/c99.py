@@ -46,7 +46,7 @@ from mechproof.programs.scalar import LOOPS, fold_sums, list_scalars, list_stage
 from mechproof.record import OnePass, Paper
 
 WIDTH = 90
-# What a blank line may follow.
+# Line endings after which a blank line is kept.
 ENDS = ("}", "*/", ");")
 ACCURACY = {
     False: "Accuracy is the bound of the error that the tests hold; eps = 2**-52. What the help of "
@@ -55,15 +55,16 @@ ACCURACY = {
     True: "Accuracy is the largest error that a search has found, in floats as they are computed "
     "here, where no value on the way leaves their range; eps = 2**-23.",
 }
-# What is contracted is rounded otherwise than what was proved; errno and traps would keep loops
-# from being vectorised.
+# Contracted operations round otherwise than was proved; errno and traps would keep loops from being
+# vectorised.
 FLAGS = "-std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
 COMMAND = f"cc {FLAGS}"
-# Points whose angles are asked for together: of a block numbers stay in the first cache.
+# Number of points whose angles are tested together: the numbers of a block stay in the first cache.
 BLOCK = 512
-# What is written out beside the elementary functions.
+# Operations that are helper functions of the source, beside the elementary functions.
 MACHINE = tuple(kind for kind, row in KINDS.items() if row.c == f"{HELPER}{kind}")
-# With a file of the same name beside it, <math.h>, or what it includes, may be that one.
+# Names of C's headers: with a file of the same name beside it, <math.h>, or what it includes, may
+# be that file.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
     "limits", "locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit",
@@ -205,7 +206,7 @@ def _render_source(data: Mapping[str, object], form: Format, language: Syntax, f
 
     known = (*BODIES, *MACHINE)
     called: tuple[str, ...] = ()
-    # Helpers of kernels, then those that these call.
+    # Repeated until nothing is added: helpers of kernels, then those that these call.
     while True:
         text = render(called)
         found = tuple(kind for kind in known if f"{language.calls[kind]}(" in text)
@@ -215,7 +216,7 @@ def _render_source(data: Mapping[str, object], form: Format, language: Syntax, f
 
 
 def _write(kernel: Kernel, syntax: Syntax, form: Format, angles: dict[str, Angles]) -> ScalarKernel:
-    """Write a kernel, and what it asks of its angles by the names of its stages."""
+    """Write a kernel, and the tests of its angles by the names of its stages."""
     text = write_scalar(kernel, syntax)
     if text.sums:
         return text
@@ -247,7 +248,7 @@ LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)
 
 @dataclass(frozen=True)
 class Angles:
-    """The text that says whether all angles are near: of a point, and what is prepared by place."""
+    """The text of the test whether all angles of a point are near, and what it has prepared."""
 
     running: tuple[str, ...]
     prepared: tuple[tuple[str, int], ...]
@@ -286,7 +287,7 @@ def _keep_needed(program: Program) -> Program:
 def ask_first(
     written: ScalarStage, stage: Stage, largest: float, syntax: Syntax
 ) -> tuple[ScalarStage, Angles | None]:
-    """Return a stage whose functions are told if angles may be far, and what is asked of them."""
+    """Return a stage whose functions are told whether angles may be far, and the test of them."""
     program = find_angles(stage, largest)
     if program is None:
         return written, None

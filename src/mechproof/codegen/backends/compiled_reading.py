@@ -30,7 +30,7 @@ def read_compiled(source: str) -> dict[str, RecordedFunction]:
 
 
 def _offer(on: Tape) -> dict[str, Any]:
-    """Return types, decorators, and what is no operation though it is called like one."""
+    """Return types, decorators, and functions that are no operations though named like one."""
     return {
         "every": partial(on.record, "_every"),
         **{name: partial(on.record, name) for name in ("element", "float64", "type")},
@@ -58,7 +58,7 @@ def mean_elementary() -> Meant:
 
 
 def _hold(on: Tape, public: Iterable[str], **held: float) -> None:
-    """Hold public names and what else a module holds besides functions."""
+    """Assign the public names and whatever else a module holds besides functions."""
     for name, value in {"__all__": [*map(repr, sorted(public, key=str.lower))], **held}.items():
         on.assign(name, value)
 
@@ -107,7 +107,7 @@ def _list_exact(text: ScalarKernel) -> tuple[str, ...]:
 
 
 def _mean_forms(on: Tape, kernel: Kernel, text: ScalarKernel) -> Meant:
-    """State what is computed of numbers: by each form, and by which one a value is."""
+    """State what is computed from numbers: by each form, and which form a value comes from."""
     for (name, form), part in zip(list_stages(kernel)[:-1], text.stages, strict=False):
         does = partial(_compute, on, join_stage(form))
         yield f"_form{name}", on.run(does, (*part.needed, *_list_exact(text)), SCALAR)
@@ -127,7 +127,7 @@ def _compute_value(on: Tape, kernel: Kernel, text: ScalarKernel, *_: Value) -> A
 
 
 def _mean_ways_in(on: Tape, text: ScalarKernel) -> Meant:
-    """State how a value is come by: of numbers, of arrays, by what callers see."""
+    """State how a value is reached: from numbers, from arrays, and by what callers see."""
     name, names = text.name, tuple(argument.name for argument in text.arguments)
     defaults = tuple(a.default for a in text.arguments if a.default is not None)
     if text.members:
@@ -190,7 +190,7 @@ def _fill_sets(on: Tape, text: ScalarKernel, out: Value, terms: Value, *given: V
 def _index(
     text: ScalarKernel, given: Iterable[Value], key: Callable[[int], Any]
 ) -> Iterator[Value]:
-    """Give numbers as they are given, those of vectors by their places."""
+    """Yield numbers as they are given, and those of vectors by their places."""
     for value, argument in zip(given, text.arguments, strict=True):
         for place in range(len(argument.components)):
             yield value[key(place)] if argument.width else value

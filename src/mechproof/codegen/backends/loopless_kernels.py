@@ -18,12 +18,12 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Operand, Operation, Program, Stage
 from mechproof.programs.scalar import LOOPS, TermLoop, list_arguments, rename_components
 
-# Where the term of a loop is found, besides the indices.
+# Name of the argument that says which set a term is in, besides its indices.
 AT = "_at"
 
 
 def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tuple[Operation, ...]]:
-    """Return a kernel that takes what the loops of these names find, and the calls of them."""
+    """Return a kernel that takes the results of the named loops, and the calls of these loops."""
     if not kernel.code.indexed:
         return kernel, ()
     calls: dict[str, Operation] = {}
@@ -71,7 +71,7 @@ def describe_calls(
 
 
 def name_elements(found: TermLoop) -> TermLoop:
-    """Return a loop whose term calls nothing that it takes like an argument of the loop."""
+    """Return a loop whose term has no input with the name of one of the loop's own arguments."""
     used = {step.result for step in found.term.operations}.union(found.term.inputs)
     given: dict[Operand, str] = {
         name: unused_name(f"{name}_term", used) for name in found.parameters
@@ -80,7 +80,7 @@ def name_elements(found: TermLoop) -> TermLoop:
 
 
 def mean_term(found: TermLoop) -> Program:
-    """Return what a compiled function computes of the place of a term: elements, then the term."""
+    """Return what a compiled function computes for one term: its elements, then the term."""
     taken = tuple(
         Operation(name, "element", (given, AT, *(f"{AT[0]}{LOOPS[i]}" for i in indices)))
         for name, (given, indices) in zip(found.term.inputs, found.elements, strict=True)

@@ -37,14 +37,14 @@ from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import LOOPS, TermLoop, fold_sums, list_scalars
 from mechproof.record import OnePass, Paper
 
-# What modules need beside operations.
+# Names that modules use besides those of operations.
 _FRAME = (
     *("Loops", "Sums", "add_up", "count_terms", "element", "every", "fill", "fill_blocks"),
     *("fill_sets", "loop", "point_of", "run", "run_sums", "scalar", "take_row", "take_square"),
     *("take_terms", "vector"),
 )
 _MACHINE = (kind for kind, row in KINDS.items() if row.numba == f"_{kind}")
-# To numba float() of a float32 is that float32, float64() is not.
+# For numba float() of a float32 stays a float32; float64() does not.
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "builtins": ("abs", "float", "type"),
@@ -53,7 +53,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "mechproof.kernels.compiled": ("elementary",),
     }
 )
-# What is said of sums besides.
+# Lines of docstrings of modules that have sums.
 SUMMED = (
     "Sums over axes are added in the order of the index, with the rest of every addition. Many",
     "sets of terms are added beside each other, each to the bits that it has alone. Inside",
@@ -91,9 +91,9 @@ def _describe(system: str) -> tuple[str, ...]:
     )
 
 
-# What is compiled into kernels beside the elementary functions.
+# Folder of the functions that are compiled into kernels beside the elementary functions.
 SUPPORT_FOLDER = Path(__file__).parents[2] / "compiled_support"
-# What is said of the elementary functions.
+# Docstring of the module of the elementary functions.
 ELEMENTARY_TEXT = (
     "Elementary functions in plain arithmetic, for compiled kernels.",
     "",
@@ -124,7 +124,7 @@ def check_elementary(source: str) -> None:
 
 @cache
 def _hash_elementary() -> str:
-    """Hash what kernels take: a module with another hash is compiled anew, not read from caches."""
+    """Hash the functions that kernels call: cached modules with another hash are compiled anew."""
     return sha256(render_elementary().encode()).hexdigest()[:12]
 
 

@@ -38,12 +38,12 @@ from mechproof.record.relations import find_slack
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
-# Where forms lie that are not shipped.
+# Folder of the forms that are not shipped.
 FORMS = "forms/"
-# Where the partial derivatives of kernels lie.
+# Folder of the partial derivatives of kernels.
 DERIVATIVES = "derivatives/"
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
-# What modules need beside operations.
+# Names that modules use besides those of operations.
 _FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
@@ -156,7 +156,7 @@ def render_module(
 def render_python(
     name: str, data: Mapping[str, object], support: Mapping[str, tuple[str, ...]]
 ) -> str:
-    """Lay out a module and format it; what its body names of the support is imported."""
+    """Lay out and format a module, with imports of the support functions that its body uses."""
     body = render_template(name, {**data, "imports": []})
     imports = list_imports(body, support)
     kind = name.removesuffix(".jinja")
@@ -197,13 +197,13 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
     return template.render(data)
 
 
-# There are few templates, and every module of every paper is laid out by them.
+# Cached, because few templates lay out all modules of all papers.
 @lru_cache(maxsize=32)
 def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
     """Return what a template asks for, and the template, which may include others of its folder."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder),
-        # A name that is misspelt would be laid out as nothing.
+        # Without this, a misspelt name would be laid out as nothing.
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -216,7 +216,7 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
 
 
 def tidy(text: str, after: tuple[str, ...] = ("",)) -> str:
-    """Leave no blanks at the ends of lines, and single blank lines after what ends so."""
+    """Strip blanks from the ends of lines; keep single blank lines, and only after such endings."""
     lines = [""]
     for line in map(str.rstrip, text.splitlines()):
         if line or (lines[-1] and lines[-1].endswith(after)):
@@ -232,10 +232,10 @@ def format_source(source: str, name: str = "kernel.py") -> str:
     """
     if find_spec("ruff") is None:
         return source
-    # Its program at once: a Python that only starts it takes ten times as long.
+    # Runs ruff's program directly: a Python that only starts it takes ten times as long.
     from ruff.__main__ import find_ruff_bin
 
-    # Isolated: the settings of a folder of the user would change the bytes.
+    # Isolated, because settings in a folder of the user would change the bytes.
     command = [find_ruff_bin(), "format", "--isolated", "--target-version", "py311"]
     arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", name, "-"]
     done = subprocess.run(

@@ -25,7 +25,7 @@ from mechproof.programs.program import (
 )
 from mechproof.programs.scalar import list_arguments, list_stages, name_domain
 
-# The name of a value that programs have in common and that had none.
+# Name of a value that several programs share and that had none.
 SHARED = "shared"
 
 
@@ -38,7 +38,7 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
     if wrong := list_unlike_domains(kernels):
         raise NotImplementedError(f"{name}: {wrong} have another domain than {first.name!r}")
     arguments = list_arguments(first)
-    # Each kernel chooses its form by itself: any may meet any.
+    # Each kernel chooses its form by itself, so that any two forms may meet.
     stages = product(*([stage for _, stage in list_stages(kernel)] for kernel in kernels))
     components = [argument.components for argument in arguments]
     code = KernelCode(
@@ -62,7 +62,7 @@ def list_unlike_domains(kernels: Sequence[Kernel]) -> list[str]:
 
 
 def _join_stages(stages: Sequence[Stage], components: Sequence[tuple[str, ...]]) -> Stage:
-    """Join one stage of each kernel: taken where all are, those before having been refused."""
+    """Join one stage of each kernel: taken where all of these are and no earlier combination is."""
     point, *sizes = components
     running = tuple(n for n in point if any(n in stage.running for stage in stages))
     names = [name for argument in sizes for name in argument]
@@ -127,7 +127,7 @@ class _Values:
         """Return the value of an operation, called as wanted where it is new."""
         if kind == "copy":
             return operands[0]
-        # Written, for 0 and -0 are equal.
+        # As text, because 0 and -0 are equal as keys.
         key = repr((kind, operands))
         if key not in self._made:
             name = f"{TEMPORARY}{len(self._made)}" if is_unnamed(wanted) else self.name(wanted)

@@ -95,12 +95,12 @@ class ScalarKernel:
 
     @property
     def width(self) -> int:
-        """Return how many numbers a result has, 0 where it is a number and no array."""
+        """Return how many numbers a result has; 0 for a plain number, which is no array."""
         return self.count if self.shape else 0
 
     @property
     def is_plain(self) -> bool:
-        """Say whether it makes one number of numbers."""
+        """Say whether the kernel computes one number from plain numbers."""
         vectors = any(argument.width for argument in self.arguments)
         return not (self.sums or self.shape or self.members or vectors)
 
@@ -128,7 +128,7 @@ class ScalarKernel:
 
     @property
     def taken_names(self) -> tuple[str, ...]:
-        """Return the numbers that a value is computed of, then the loops."""
+        """Return the numbers that a value is computed from, then the loops."""
         return (*self.numbers, *(called.name for called in self.loops))
 
     @property

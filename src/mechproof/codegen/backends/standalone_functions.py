@@ -125,7 +125,7 @@ def _write(kernel: Kernel, paper: Paper, script: Script) -> FormulaText:
 
 
 def _spell_out(kernel: Kernel, script: Script) -> Kernel:
-    """Return a kernel with what a single operation means in place of calls of a function for it."""
+    """Return a kernel with calls of functions that mean a single operation replaced by it."""
 
     def change(program: Program) -> Program:
         return replace(program, operations=tuple(_mean(s, script) for s in program.operations))
@@ -143,7 +143,7 @@ def _mean(step: Operation, script: Script) -> Operation:
     (only,) = program.operations
     given = dict(zip(program.inputs, step.operands, strict=True))
     operands = tuple(given.get(str(o), o) for o in only.operands)
-    # What has no name is used once.
+    # A result without a name may be used only once.
     twice = {o for o in operands if is_unnamed(o) and operands.count(o) > 1}
     return step if twice else replace(step, kind=only.kind, operands=operands)
 
@@ -157,7 +157,7 @@ def _refuse(kernel: Kernel, script: Script) -> None:
 
 
 def _refuse_rests(kernel: Kernel, paper: Paper, script: Script) -> None:
-    """Raise NotImplementedError for what roundings left, naming the forms that do without."""
+    """Raise NotImplementedError for rests of roundings, naming the forms that do without."""
     if lost := _list_rests(kernel, script):
         others = [
             f"{paper.system}.{other.name}"
@@ -212,7 +212,7 @@ def _write_stages(kernel: Kernel, syntax: Syntax, script: Script) -> ScalarKerne
 
 
 def _name_apart(kernel: Kernel, script: Script) -> Callable[[str], str]:
-    """Return how names are spelled, by more than capitals different where these do not count."""
+    """Return the spelling of names, which differ by more than capitals where these do not count."""
     if not script.ignores_case:
         return script.syntax.name
     taken, names = set(STRUCTURED_TEXT_WORDS.split()), dict[str, str]()
@@ -262,7 +262,7 @@ def _append(
 
 
 def _find_helpers(kinds: Iterable[str], script: Script) -> tuple[str, ...]:
-    """List what has to stand beside a formula, what is called before what calls it."""
+    """List the helpers that a formula needs, each before those that call it."""
     found: dict[str, None] = {}
 
     def visit(kind: str) -> None:
