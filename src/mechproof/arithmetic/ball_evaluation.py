@@ -72,7 +72,7 @@ def plan(node: sp.Basic) -> Plan:
 
 
 def _look_up(symbol: sp.Basic, values: Values) -> Ball:
-    # One search: SymPy compares two elements of a family by all their assumptions.
+    # A single search, because SymPy compares two elements of a family by all their assumptions.
     try:
         return values[symbol]
     except KeyError:
@@ -83,7 +83,8 @@ def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:
     def apply(values: Values, *arguments: Ball) -> Ball:
         if type(node) not in ENTIRE and any(isinstance(a, acb) for a in arguments):
             return _evaluate_complex(node, values, *arguments)
-        # Of what has no value some functions do: to flint the sine of infinity is [-1, 1].
+        # Some functions have values where their argument has none: to flint the sine of infinity is
+        # [-1, 1].
         if not all(argument.is_finite() for argument in arguments):
             return NOT_FINITE
         return function(*arguments)
@@ -117,7 +118,7 @@ def _square_root(base: Ball, values: Values) -> Ball:
 
 
 def _repeat(node: sp.Basic) -> Plan:
-    """Return how the terms of a sum or the factors of a product are put together."""
+    """Return how to combine the terms of a sum or the factors of a product."""
     index, lower, upper = node.limits[-1]
     inner = node.func(node.function, *node.limits[:-1]) if node.limits[1:] else node.function
     is_sum = isinstance(node, sp.Sum)
@@ -156,7 +157,7 @@ def _integral(node: sp.Basic) -> Plan:
     return integrate, (lower, upper)
 
 
-# Rows of a paper hold the same integrals, and are tried at the same points.
+# Cached, because rows of a paper share integrals and are tried at the same points.
 @lru_cache(maxsize=1024)
 def _integrate(
     function: sp.Expr,
@@ -169,7 +170,7 @@ def _integrate(
     values = {name: _put_together(parts) for name, parts in given}
     start, end = (acb(_put_together(parts)) for parts in ends)
     layout = Layout(function, plan)
-    # The integrand is run hundreds of times; what does not move with it is computed once.
+    # The integrand is run hundreds of times: what does not depend on its variable is computed once.
     layout.settle(values)
 
     def integrand(point: Ball, analytic: bool) -> Ball:
@@ -181,15 +182,16 @@ def _integrate(
 
 
 def _widen(end: Ball, other: Ball) -> Ball:
-    """Return an end and what is next to it on the way to the other.
+    """Return an end of an interval together with what is next to it inside.
 
-    Whatever has no finite enclosure there has none over the whole way, however often it is halved.
+    An integrand without a finite enclosure there has none over the whole interval, however often
+    that is halved.
     """
     return acb(end.real.union(end.real + (other - end).real * arb(2) ** (-2 * flint.ctx.prec)))
 
 
 def _take_apart(ball: Ball) -> _Parts:
-    """Return what a ball is, exactly: midpoints and radii as whole numbers times powers of two."""
+    """Return a ball exactly: midpoints and radii as whole numbers times powers of two."""
     parts = (ball,) if isinstance(ball, arb) else (ball.real, ball.imag)
     return tuple((part.mid().man_exp(), part.rad().man_exp()) for part in parts)
 
@@ -206,7 +208,8 @@ def _piecewise(node: sp.Basic) -> Plan:
             if holds is None:
                 return NOT_FINITE
             if holds:
-                # Not an operand of the choice: other branches need not have values here.
+                # Compiled here rather than an operand of the choice: other branches need not have
+                # values here.
                 return compile_expression(expression)(values)
         return NOT_FINITE
 

@@ -37,7 +37,7 @@ ENTIRE = (
     *(sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
 )
 
-# Flint calls them as SymPy does, in small letters.
+# Functions that flint has under SymPy's names, in small letters.
 _ALIKE = (
     *(*ENTIRE, sp.log, sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
     *(sp.sinc, sp.floor, sp.zeta, sp.gamma),
@@ -61,7 +61,7 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
 }
 
-# Of a complex ball, and whether the integration asks for an analytic function.
+# Functions of a complex ball and of whether the integration asks for an analytic function.
 COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
     **dict.fromkeys(
         (ValueWhere, DerivativeWhere),
@@ -71,7 +71,7 @@ COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.sign: lambda z, analytic: z.real_sgn(analytic),
     sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),
     sp.log: lambda z, analytic: z.log(analytic),
-    # Off their cuts.
+    # Analytic only away from their branch cuts.
     sp.atan: lambda z, analytic: z.atan() if not analytic or abs(z.imag) < 1 else NOT_ANALYTIC,
     sp.asin: lambda z, analytic: z.asin() if not analytic or abs(z.real) < 1 else NOT_ANALYTIC,
     sp.acos: lambda z, analytic: z.acos() if not analytic or abs(z.real) < 1 else NOT_ANALYTIC,
@@ -97,7 +97,7 @@ COMPARISONS: dict[type[sp.Basic], Callable[[Ball, Ball], bool | None]] = {
     sp.Unequality: lambda a, b: None if (e := are_equal(a, b)) is None else not e,
 }
 
-# Of truths that may be undecided, as Kleene's logic has them.
+# Connectives of truth values that may be undecided, as in Kleene's logic.
 CONNECTIVES: dict[type[sp.Basic], Callable[..., bool | None]] = {
     sp.And: lambda *parts: False if False in parts else None if None in parts else True,
     sp.Or: lambda *parts: True if True in parts else None if None in parts else False,

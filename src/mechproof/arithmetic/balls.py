@@ -33,7 +33,8 @@ __all__ = [
     "working_precision",
 ]
 
-# Each is twice the last (Ziv 1991): all together cost no more than the last one twice.
+# Bits of precision, each twice the last (Ziv 1991): all together cost no more than twice the last
+# one.
 PRECISIONS = (64, 128, 256, 512, 1024)
 
 

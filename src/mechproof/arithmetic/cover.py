@@ -16,27 +16,27 @@ from mechproof.arithmetic.intervals import Array, Mask
 
 Side = tuple[float, float]
 Box = tuple[Side, ...]
-# Many boxes: their sides, and of each the ends.
+# Many boxes: the two ends of each side of each box.
 Boxes = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
-# Of each part in its turn, the side across which it is cut, or that it is not.
+# For each part in turn, the side across which it is cut, or `WHOLE` if it is not.
 Cuts = NDArray[np.int8]
 WHOLE = -1
-# No side is cut to less than this share of the whole while another is longer.
+# No side is cut to less than this share of the whole while another one is longer.
 FINEST = 2.0**-13
-# So many of the parts with the largest bounds are kept.
+# How many of the parts with the largest bounds are kept.
 WORST = 32
-# So few boxes are bounded in hardly more time than one.
+# Up to so many boxes are bounded in hardly more time than a single one.
 FEW = 64
-# So often the first sides are halved before any box is bounded.
+# How often the first sides are halved before any box is bounded.
 CUTS = 2
-# A side is narrow that is no longer than this share of its larger end: a size and its tolerance.
+# A side no longer than this share of its larger end is narrow: a size and its tolerance.
 NARROW = 0.125
-# So many boxes are divided at once.
+# How many boxes are divided at once.
 TOGETHER = 512
-# Parts whose sides are such shares of the whole are not divided.
+# Parts with no side longer than this share of the whole are not divided.
 THIN = 2.0**-24
-# So many parts where the bound is high are told.
+# How many parts with a high bound are reported.
 KEPT = 32
 
 
@@ -79,7 +79,7 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
 
 
 def are_below(heights: Array, aim: float) -> NDArray[np.bool_]:
-    """Say of which parts the bounds are below an aim; of what has none they are not."""
+    """Say which parts have bounds below an aim; those without a bound do not."""
     return np.isfinite(heights) & (heights <= aim)
 
 
@@ -96,7 +96,7 @@ def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
             raise ValueError(f"{len(waiting)} parts have the cuts {sides.tolist()}")
         parts.append(waiting[sides == WHOLE])
         rows = np.flatnonzero(sides != WHOLE)
-        # In the order of `cover_below`: first halves before second ones.
+        # The order is that of `cover_below`: first halves before second ones.
         waiting = np.concatenate(_cut(waiting, rows, sides[rows].astype(np.intp)))
     return np.concatenate(parts), cuts
 
@@ -104,7 +104,7 @@ def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
 def _keep_worst(
     known: list[tuple[float, Box]], heights: Array, boxes: Boxes
 ) -> list[tuple[float, Box]]:
-    # Stable: of equal bounds the same are kept on every machine.
+    # A stable sort, so that every machine keeps the same ones of equal bounds.
     highest = np.argsort(-heights, kind="stable")[:WORST]
     more = [(float(heights[i]), as_box(boxes[i])) for i in highest]
     return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
@@ -122,7 +122,7 @@ def divide(whole: Boxes, sides: int) -> Boxes:
 
 
 def _measure(boxes: Boxes) -> Array:
-    """Return the lengths of sides; infinite of a side that has none, as of one without end."""
+    """Return the lengths of sides; infinite for sides without a length or without an end."""
     lengths = boxes[:, :, 1] - boxes[:, :, 0]
     return np.where(lengths > 0, lengths, np.inf)
 
@@ -151,14 +151,14 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
     To bound few boxes takes as long as to bound many: of few, the halves across every side are
     bounded at once with what is needed for the choice.
     """
-    # To cut a narrow side changes little: it counts by its share of its larger end.
+    # Cutting a narrow side changes little, so that its length counts as a share of its larger end.
     spans = np.where(_are_narrow(whole), np.abs(whole).max(axis=2), _measure(whole))
     with np.errstate(invalid="ignore"):
         lengths = np.where(np.isfinite(spans), boxes[:, :, 1] - boxes[:, :, 0], 0.0)
     shares = lengths / spans
     longest = np.argmax(shares, axis=1)
     tried = (shares > FINEST) & np.isfinite(heights)[:, np.newaxis]
-    # What a bound owes to a side shows without its length, before anything is cut.
+    # The bound with a side reduced to its middle shows, before any cut, what it owes to that side.
     thin = _flatten(boxes, *np.nonzero(tried))
     middle = take_middles(boxes[[np.argmax(heights)]])
     every = np.arange(len(boxes))
@@ -201,13 +201,13 @@ def _find_middles(boxes: Boxes) -> Array:
 
 
 def take_middles(boxes: Boxes) -> Boxes:
-    """Return the middles of boxes, of endless sides the whole."""
+    """Return the middles of boxes; sides without an end stay as they are."""
     middles = _find_middles(boxes)[:, :, np.newaxis]
     return np.where(np.isinf(boxes[:, :, 1:]), boxes, middles)
 
 
 def as_boxes(box: Box) -> Boxes:
-    """Return one box as many."""
+    """Return an array of one box."""
     return np.array([box], float)
 
 
@@ -238,11 +238,11 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int) -> Larges
     finished = 0.0
     highest: tuple[Boxes, Array] = boxes[:0], heights[:0]
     while len(boxes):
-        # The highest first, of those without a bound the thinnest.
+        # The highest bounds come first, and among parts without a bound the thinnest.
         sizes = (boxes[:, :, 1] - boxes[:, :, 0]).max(axis=1)
         order = np.lexsort((sizes, -heights))
         boxes, heights = boxes[order], heights[order]
-        # What the bound is at a point it reaches: no division gets below that.
+        # The bound is reached at points, so that no division gets below its values there.
         middles = _raise(bound(take_middles(boxes[:TOGETHER])))
         thin = _are_thin(boxes, whole)
         if np.isinf(heights[0]) and (np.isinf(middles[0]) or count >= most or thin[0]):

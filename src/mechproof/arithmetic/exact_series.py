@@ -16,7 +16,7 @@ from flint import fmpq, fmpq_series
 from mechproof.arithmetic.layout import Layout, Plan
 from mechproof.arithmetic.series import Rules, Series, apply, list_sinc, plan_function, working
 
-# So many coefficients are carried: one fewer than in balls, which enclose the remainder.
+# Number of coefficients: one fewer than in balls, which enclose the remainder, too.
 ORDER = 63
 
 

@@ -21,19 +21,19 @@ from mechproof.arithmetic.balls import working_precision
 Array = NDArray[np.float64]
 Ends = Any
 Mask = Any
-# The spacing of doubles at 1, and by how much of itself a number is moved to the nearest at most.
+# The spacing of doubles at 1, and the largest relative error of rounding to nearest.
 EPS, UNIT = 2.0**-52, 2.0**-53
-# What is smaller and not zero is not rounded to a share of itself.
+# Numbers that are smaller, but not zero, may be rounded by more than a share of themselves.
 LEAST_NORMAL = 2.0**-1022
-# Twice what an end is off by to nearest.
+# Twice the relative error of an end that was rounded to nearest.
 OUTWARD = EPS
-# Products of two such are no matter of the range.
+# Products of two numbers of this size stay within the normal range.
 SMALLEST = 1e-100
 BITS = 64
 KEPT = 2**17
-# Of angles: a little less than pi, and where a tangent has its pole.
+# A little less than pi, and less than the first pole of the tangent, in radians.
 BEFORE_PI, BEFORE_POLE = 3.1415926535, 1.5707963267
-# A function of balls of flint's.
+# A function of flint's balls.
 Function = Callable[[Any], Any]
 
 
@@ -62,7 +62,7 @@ class Interval:
         return Interval(-self.high, -self.low, None if self._sign is None else -self._sign)
 
     def __add__(self, other: Interval) -> Interval:
-        # Two that have no sign may have a sum that has one.
+        # Two intervals without a sign may have a sum with one, which is found when asked for.
         sign = self._sign if self._sign == other._sign else None
         return widen(self.low + other.low, self.high + other.high, sign or None)
 
@@ -118,7 +118,7 @@ class Interval:
         """Return a whole power."""
         if exponent < 0:
             return self.power(-exponent).inverted()
-        # As a product of the interval by itself an even power could be negative.
+        # Multiplied with itself, an interval could give an even power negative ends.
         base = self.size() if exponent % 2 == 0 else self
         return Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
 
@@ -160,7 +160,7 @@ def _multiply(a: Interval, b: Interval) -> Interval:
             np.minimum(one.low * other.low, one.high * other.low),
             np.maximum(one.low * other.high, one.high * other.high),
         )
-    # Minimum and maximum hand on NaN: what is not finite stays so.
+    # Minimum and maximum pass NaN on, so that what is not finite stays so.
     p, q, r, s = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
     return widen(
         np.minimum(np.minimum(p, q), np.minimum(r, s)),
@@ -227,7 +227,7 @@ with working_precision(BITS):
     PI = enclose_ball(arb.pi())
 
 
-# Boxes that were halved share ends, of which each is asked for once.
+# Cached, because halved boxes share ends.
 @lru_cache(KEPT)
 def _enclose(function: Function, value: float) -> tuple[float, float]:
     with working_precision(BITS):
@@ -290,7 +290,7 @@ def _wave(function: Function, z: Interval, crest: Ends) -> Interval:
     """Return a wave; `crest` is where it is largest, in turns."""
     ends = apply(function, z.low).union(apply(function, z.high))
     turns = z / (PI * exactly(2.0))
-    # A crest too many does no harm.
+    # The margin of 1e-9 may count a crest too many, which only widens the result.
     top = np.floor(turns.high - crest + 1e-9) >= np.ceil(turns.low - crest - 1e-9)
     trough = crest + 0.5
     bottom = np.floor(turns.high - trough + 1e-9) >= np.ceil(turns.low - trough - 1e-9)

@@ -17,19 +17,19 @@ from mechproof.record.implicit import Implicit
 from mechproof.record.substitution import resolve
 
 Values = Mapping[sp.Basic, Any]
-# Of the values of symbols, then of the operands.
+# Takes the values of symbols, then the operands.
 Operation = Callable[..., Any]
 Plan = tuple[Operation, tuple[sp.Basic, ...]]
 Given = Mapping[sp.Basic, sp.Basic]
 NOTHING: Given = MappingProxyType({})
-# What has symbols of its own, or branches.
+# Nodes with bound symbols or branches, which are one step together with what is in them.
 WHOLE = (sp.Sum, sp.Product, sp.Integral, sp.Piecewise, Implicit)
 
 
 class Layout:
     """The steps of an expression, each after those that it needs; the last one is its value.
 
-    Of the kinds of `whole` a step runs what is inside, with the symbols of its own.
+    A node of a kind in `whole` is one step that runs everything inside, bound symbols included.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class Layout:
         self._steps = left
 
     def _place(self, node: sp.Basic) -> int:
-        # SymPy keeps equal parts apart; by their hash they are one step.
+        # SymPy keeps equal parts apart; here they become one step, by their hash.
         if node not in self._slots:
             inner = self._given.get(node)
             self._slots[node] = self._append(node) if inner is None else self._place(inner)

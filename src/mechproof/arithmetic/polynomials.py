@@ -36,14 +36,14 @@ def expand(polynomial: sp.Expr) -> sp.Expr:
     try:
         return reduce_polynomial(polynomial, {})
     except sp.PolynomialError:
-        # Over other numbers than the rationals.
+        # It has other numbers than the rationals.
         return sp.expand(polynomial)
 
 
 def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
-    """Tell whether a quotient of polynomials has a normal form of zero above one that is not.
+    """Tell whether a quotient's normal form is zero over a denominator that is not.
 
-    Raises `sympy.PolynomialError` for what is none.
+    Raises `sympy.PolynomialError` for what is no quotient of polynomials.
     """
     ring = _Ring(quotient, relations=relations)
     above, below = (ring.lower_all(part) for part in ring.read_quotient(quotient))
@@ -60,12 +60,12 @@ def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]
     try:
         return _factor_product(polynomial)
     except sp.PolynomialError:
-        # A quotient in it may be one of numbers, once all is over one denominator.
+        # A quotient in it may turn out to be one of numbers, once all is over one denominator.
         above, below = sp.together(polynomial).as_numer_denom()
     try:
         number, factors = _factor_product(above)
     except sp.PolynomialError:
-        # Of roots, say, or over other numbers than the rationals.
+        # It has roots, say, or other numbers than the rationals.
         constant, others = sp.factor_list(polynomial)
         return constant, others
     if not below.is_Rational:
@@ -125,7 +125,7 @@ def cancel(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     try:
         above, below = ring.read_quotient(quotient)
     except sp.PolynomialError:
-        # Of roots, say.
+        # It has roots, say.
         above, below = sp.fraction(sp.cancel(quotient))
         return above, below
     if below.is_zero():
@@ -142,7 +142,7 @@ def factor(quotient: sp.Expr) -> sp.Expr:
     """Cancel and factor a quotient, as SymPy's functions of those names one after the other."""
     (left, above), (right, below) = map(factor_list, cancel(quotient))
     product = sp.Mul(*(f**n for f, n in above), *(f**-n for f, n in below))
-    # A number is not multiplied into a sum.
+    # The number stays in front: SymPy would multiply it into a sum.
     return keep_coefficient(left / right, product)
 
 
@@ -158,7 +158,7 @@ def _take_content(value: fmpq_mpoly) -> tuple[sp.Rational, fmpq_mpoly]:
 def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return numerator and denominator over the least common one; roots stay as they are."""
     if quotient.has(sp.pi):
-        # SymPy cancels factors beside it that the ring would keep: tangents times cosines.
+        # SymPy cancels factors beside pi that the ring would keep, such as tangents times cosines.
         return _split_by_sympy(quotient)
     roots = {p: sp.Dummy("root") for p in quotient.atoms(sp.Pow) if p.exp == sp.S.Half}
     named = quotient.xreplace(roots | {p**-1: r**-1 for p, r in roots.items()})
@@ -193,17 +193,17 @@ class _Ring:
         if functions:
             powers = {p for e in expressions for p in find_parts(e, sp.Pow)}
             symbols |= {_split_power(p)[0] for p in powers if p.base.is_Add and _is_root(p)}
-        # In the lexical order, what is related leads over all by which it is lowered.
+        # The lexical order makes related generators lead over all those by which they are lowered.
         related = [power.base for power in reversed(relations)]
         others = sorted(symbols - {*related}, key=sp.default_sort_key)
         self.symbols = [*related, *others]
-        # A ring of flint's has a generator, needed or not.
+        # A ring of flint's needs at least one generator.
         names = [f"x{n}" for n in range(max(1, len(self.symbols)))]
         self.context = fmpq_mpoly_ctx.get(names, "lex")
         self.generators: dict[sp.Symbol, fmpq_mpoly] = dict(
             zip(self.symbols, self.context.gens(), strict=False)
         )
-        # A derivative repeats its parts a thousand times.
+        # Read once each: a derivative repeats its parts a thousand times.
         self._known: dict[sp.Expr, _Quotient] = {}
 
     def read(self, node: sp.Expr) -> fmpq_mpoly:
@@ -254,7 +254,7 @@ class _Ring:
         )
 
     def is_negative(self, value: fmpq_mpoly) -> bool:
-        """Return whether the leading coefficient is, the generators in SymPy's order."""
+        """Return whether the leading coefficient is negative, generators in SymPy's order."""
         order = [self.symbols.index(s) for s in self.list_generators(value)]
         terms = value.to_dict()
         return bool(terms[max(terms, key=lambda powers: [powers[n] for n in order])] < 0)
@@ -289,7 +289,7 @@ def _split_power(power: sp.Pow) -> tuple[sp.Expr, int]:
 
 
 def _is_root(power: sp.Pow) -> bool:
-    """Accept roots and their reciprocals; SymPy multiplies out what has other broken powers."""
+    """Accept roots and their reciprocals; SymPy multiplies other fractional powers out."""
     return bool(power.exp.is_Rational and abs(power.exp.p) == 1 and power.exp.q > 1)
 
 

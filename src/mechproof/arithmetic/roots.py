@@ -19,16 +19,16 @@ from mechproof.record.implicit import Implicit
 from mechproof.record.substitution import substitute
 
 Evaluate = Callable[[sp.Basic, Values], Ball]
-# So often the parts of a bracket are halved, and so often a root is narrowed.
+# The most halvings of the parts of a bracket, and the most steps that narrow a root.
 HALVINGS = 12
 _NARROWINGS = 40
-# More parts than this at a time are none that a root is found in.
+# With more parts than this at a time the search for a root is given up.
 MOST_PARTS = 64
 
 
 @dataclass(frozen=True)
 class Frame:
-    """A root seen from the lower end of its bracket: all by the distance from there."""
+    """A root seen from the lower end of its bracket: all by the distance from that end."""
 
     distance: sp.Symbol
     low: sp.Expr
@@ -99,7 +99,7 @@ class Bracketed:
         return bool((first <= 0 and last >= 0) or (first >= 0 and last <= 0))
 
     def isolate(self) -> Isolated:
-        """Leave out what has no root until the slope has a sign on what is left."""
+        """Leave out parts without a root until the slope has one sign on what is left."""
         parts = [arb(0).union(self.width)]
         for _ in range(HALVINGS):
             parts = [part for part in parts if not self._is_nowhere_zero(part)]
@@ -112,7 +112,7 @@ class Bracketed:
         return Isolated(tuple(parts), NOT_FINITE)
 
     def _is_nowhere_zero(self, part: Ball) -> bool:
-        """Ask for values over a part, and for those about its middle, of which less cancels."""
+        """Test the values over a part, and those expanded about its middle, where less cancels."""
         if has_sign(self.of(part)):
             return True
         middle = arb(part.mid())
@@ -124,11 +124,12 @@ class Bracketed:
         for _ in range(_NARROWINGS):
             middle = arb(place.mid())
             step = middle - self.of(middle) / slope
-            # Both hold the root, if there is one: where they do not meet, nothing is known.
+            # Both contain the root, if there is one: if they do not meet, nothing is known.
             if not step.overlaps(place):
                 return NOT_FINITE
             narrower = step.intersection(place)
-            # Newton's steps square the error: one that does not even halve it meets the precision.
+            # Newton's steps square the error: a step that does not even halve it is at the limit of
+            # precision.
             if not 2 * narrower.rad() < place.rad():
                 return narrower
             place, slope = narrower, self.slope(narrower)

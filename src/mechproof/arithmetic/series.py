@@ -29,14 +29,14 @@ Rules = Mapping[type[sp.Basic], Callable[..., Any]]
 _ALIKE: Rules = MappingProxyType(
     {
         sp.Add: lambda *terms: reduce(add, terms),
-        # Flint calls them as SymPy does.
+        # Flint has these under SymPy's names.
         **{
             kind: methodcaller(kind.__name__)
             for kind in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.exp, sp.log)
         },
     }
 )
-# What SymPy writes by others.
+# Functions that SymPy can rewrite by others.
 _WRITTEN_BY: Mapping[type[sp.Basic], type[sp.Basic]] = MappingProxyType(
     {
         sp.sec: sp.cos,
@@ -49,7 +49,7 @@ _WRITTEN_BY: Mapping[type[sp.Basic], type[sp.Basic]] = MappingProxyType(
 )
 BITS = 128
 CONSTANT_BITS = 640
-# No series is longer than those of numbers.
+# The longest series: those of plain numbers are stored at this length.
 LONGEST = 64
 NAN = arb("nan")
 
@@ -91,7 +91,7 @@ def working(order: int, bits: int = BITS) -> Iterator[None]:
 
 
 def _leave_open() -> Series:
-    """Return the series of what is not decided: a coefficient that is left out would be zero."""
+    """Return a series of what is undecided: coefficients that are left out would count as zero."""
     return arb_series([NAN] * ctx.cap)
 
 
@@ -104,7 +104,7 @@ def list_terms(series: Series) -> list[Ball]:
 class TaylorExpression:
     """An expression of one variable, all other symbols numbers or given by others.
 
-    What no variable is in is computed once.
+    Parts without the variable are computed once.
     """
 
     def __init__(
@@ -112,7 +112,7 @@ class TaylorExpression:
     ) -> None:
         self._variable = variable
         known = {symbol: value for symbol, value in values.items() if symbol != variable}
-        # Once for all expansions, with more bits than the finest of them works with.
+        # Computed once for all expansions, with more bits than the finest of these works with.
         with working(1, CONSTANT_BITS):
             inner = {s: e for s, e in given.items() if s not in (variable, *values)}
             self._layout = Layout(expression, plan, inner, whole=())
@@ -173,13 +173,13 @@ def _compare(kind: type[sp.Basic]) -> Callable[[Series, Series], bool | None]:
 
 
 def _multiply(a: Series, b: Series) -> Series:
-    # Flint takes zero times what is not finite for zero.
+    # Flint takes zero times a ball that is not finite for zero.
     both_finite = all(list_terms(factor)[0].is_finite() for factor in (a, b))
     return a * b if both_finite else _leave_open()
 
 
 def _raise(base: Series, exponent: Series) -> Series:
-    """Raise to whole and half powers by products, of what is positive to others, too."""
+    """Raise to whole and half powers by products; a positive base also to other powers."""
     if not list_terms(base)[0].is_finite():
         return _leave_open()
     halves = (2 * list_terms(exponent)[0]).unique_fmpz() if _is_exact(exponent) else None
@@ -257,7 +257,7 @@ def _direction(y: Series, x: Series) -> Series:
         return _leave_open()
     if ctx.cap == 1:
         return arb_series([start])
-    # The integral has no first term, which is the angle that `start` holds.
+    # The integral starts from zero, and `start` holds the angle there.
     turn = ((x * y.derivative() - y * x.derivative()) / square).integral()
     return turn + start
 

@@ -22,16 +22,17 @@ from mechproof.arithmetic.ball_evaluation import compile_expression, plan as pla
 from mechproof.arithmetic.balls import NOT_FINITE, working_precision
 from mechproof.arithmetic.layout import WHOLE, Given, Layout, Plan, Values
 
-# More than a double has: slopes are wide because boxes are, and never by rounding.
+# Precision, in bits, beyond that of doubles: slopes are to be wide because of boxes, not of
+# rounding.
 BITS = 96
 Balls = list[Any]
-# The partial derivatives of what has two sides, on the one and on the other.
+# The partial derivatives of functions with a kink, on the one side and on the other.
 SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
     sp.Max: ((1, 0), (0, 1)),
     sp.Min: ((0, 1), (1, 0)),
     sp.Abs: ((1,), (-1,)),
 }
-# A kink under a bound symbol has no one side, and what has branches need not be continuous.
+# Nodes without slopes: a kink under a bound symbol has no single side, and branches need not meet.
 ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.Min, sp.Abs)
 
 
@@ -142,7 +143,8 @@ class GradientTape:
             if slopes[slot] is None:
                 continue
             for k, partial in zip(layout.operands[slot], partials[slot], strict=False):
-                # On the other side of a kink nothing is reached, though it may be undefined.
+                # A zero means the other side of a kink: nothing passes there, though it may be
+                # undefined.
                 if (isinstance(partial, int) and not partial) or wanted.isdisjoint(layout.needs[k]):
                     continue
                 part = slopes[slot] * partial
@@ -159,7 +161,7 @@ def _find_side(given: Balls) -> int | None:
 
 
 def _plan(node: sp.Basic) -> Plan:
-    """Return what balls make of a node, rates with them; kinks of two sides, wholes of symbols."""
+    """Return how to run a node in balls with rates; kinks and bound symbols have their own ways."""
     if isinstance(node, sp.Symbol | sp.Indexed):
         return (lambda values: values[node]), ()
     if type(node) in SIDES:
@@ -181,7 +183,7 @@ def _plan_kink(node: sp.Basic) -> Plan:
         value = operation(values, *balls)
         if not any(isinstance(ball, Dual) for ball in given):
             return value
-        # Where the side is not shown, the rate is not asked for.
+        # Where the side is not shown the rate does not matter, and either one will do.
         side = SIDES[type(node)][_find_side(list(balls)) or 0]
         return Dual(value, sum(map(operator.mul, side, rates)))
 
@@ -206,7 +208,7 @@ def _enclose(expression: sp.Basic, dummies: tuple[sp.Basic, ...], given: Balls) 
 
 
 def _differentiate(node: sp.Basic, given: Balls, moved: list[bool]) -> Balls:
-    """Return by which factor the value goes with each operand; 0 for those that stand still."""
+    """Return by which factor the value moves with each operand; 0 for those that stand still."""
     if isinstance(node, sp.Add):
         return [1] * len(given)
     if isinstance(node, sp.Mul):
@@ -218,7 +220,7 @@ def _differentiate(node: sp.Basic, given: Balls, moved: list[bool]) -> Balls:
 
 def _leave_one_out(factors: Balls) -> Balls:
     """Return the products of all factors but one."""
-    # The product is not divided by each factor, whose ball may hold zero.
+    # Not by division of the product by each factor, as its ball may hold zero.
     before = itertools.accumulate(factors[:-1], operator.mul, initial=1)
     after = [*itertools.accumulate(reversed(factors[1:]), operator.mul, initial=1)]
     return [a * b for a, b in zip(before, reversed(after), strict=True)]
@@ -228,9 +230,9 @@ def _leave_one_out(factors: Balls) -> Balls:
 def _describe(
     node: sp.Basic,
 ) -> tuple[sp.Basic, tuple[sp.Basic, ...], tuple[sp.Basic, ...]]:
-    """Return a node in dummies, the dummies, and what these stand for: all that varies.
+    """Return a node in dummies, the dummies, and the varying parts that these stand for.
 
-    Of what has bound symbols these are its symbols, the ends of a sum apart.
+    For nodes with bound symbols these are its free symbols, and the ends of a sum apart.
     """
     if isinstance(node, WHOLE):
         return _describe_whole(node)
