@@ -22,7 +22,7 @@ _MOST = 60
 
 @dataclass(frozen=True)
 class LetterBounds:
-    """What a letter is not below and not above, where anything is known."""
+    """The lower and the upper bound of a letter, where any is known."""
 
     low: sp.Expr | None = None
     high: sp.Expr | None = None
@@ -33,7 +33,7 @@ NO_BOX: Box = MappingProxyType({})
 
 
 def find_box(relations: Iterable[sp.Basic]) -> Box:
-    """Find the bounds of letters: numbers, or what others make that are bounded before."""
+    """Find the bounds of letters: numbers, or expressions of letters that are bounded before."""
     found: dict[sp.Basic, LetterBounds] = {}
     for relation in relations:
         if relation.func not in (*_BELOW, *_ABOVE):
@@ -51,7 +51,7 @@ def find_box(relations: Iterable[sp.Basic]) -> Box:
 
 
 def _rests_free(small: sp.Basic, large: sp.Basic, found: Box) -> bool:
-    """Return whether a letter can have what others make as its lower bound."""
+    """Return whether a letter can have an expression of others as its lower bound."""
     has_none = large not in found or (small in found and found[large].high is None)
     return has_none and large not in _list_below(small, found)
 
@@ -72,7 +72,7 @@ def spread_out(expression: sp.Expr, box: Box) -> sp.Expr | None:
     hidden = {root: sp.Dummy() for root in roots}
     value: sp.Expr | None = expression.xreplace(hidden)
     back: dict[sp.Basic, sp.Expr] = {}
-    # Those first on which no other rests.
+    # Letters on which no other bound rests come first.
     for letter in sorted(box, key=lambda s: (-len(_list_below(s, box)), str(s))):
         if value is None or not value.has(letter):
             continue
@@ -106,7 +106,7 @@ def list_roots(expression: sp.Expr) -> list[sp.Pow]:
 def _spread(
     value: sp.Expr, letter: sp.Basic, bounds: LetterBounds, above: sp.Expr, under: sp.Expr
 ) -> sp.Expr | None:
-    """Write one letter by its distances from its bounds, in which each product is as long."""
+    """Write one letter by its distances from its bounds, with all products of equal length."""
     low, high = bounds.low, bounds.high
     if high is None:
         return sp.expand(value.subs(letter, low + above))

@@ -12,15 +12,17 @@ from pathlib import Path
 from mechproof.coq.scripts import LIBRARIES, ROUNDINGS, list_required, write_assumptions
 from mechproof.tools.processes import count_processors
 
-# Seconds of a processor for a file; what is recorded as accepted took a third of it at most.
+# Processor time for a file, in seconds; files that are recorded as accepted took a third at most.
 LIMIT = 150.0
 RECORD_LIMIT = 50.0
-# For the bound of a program; of one that does not hold everywhere Coq mostly knows within seconds.
+# Processor time for the bound of a program, in seconds: if it does not hold everywhere Coq mostly
+# knows soon.
 BOUND_LIMIT = 60.0
-# Files whose assumptions Coq prints at once; the time grows faster than their number beyond.
+# Number of files whose assumptions Coq prints at once; beyond, the time grows faster than the
+# number.
 BATCH = 64
-# What Coq's real numbers rest on, by name, and the modules of the machine integers and floats with
-# which coq-interval computes. Nothing else may be assumed.
+# Names of the axioms that Coq's real numbers rest on, and modules of the machine integers and
+# floats with which coq-interval computes. Nothing else may be assumed.
 ASSUMED = frozenset(
     {
         "ClassicalDedekindReals.sig_forall_dec",
@@ -85,10 +87,10 @@ def check_files(
 
 
 def _check_assumptions(folder: Path, names: Sequence[str]) -> Mapping[str, str]:
-    """Return of files that were accepted what they assume beyond what is published.
+    """Return what accepted files assume beyond the published list, by their names.
 
-    Coq takes hardly longer for many files than for one; where many assume too much, it is looked
-    for in each half of them.
+    Coq takes hardly longer for many files than for one; if too much is assumed, each half is
+    searched.
     """
     wrong = _find_beyond(folder, names)
     if not wrong or len(names) == 1:
@@ -101,7 +103,7 @@ def _check_assumptions(folder: Path, names: Sequence[str]) -> Mapping[str, str]:
 
 
 def _find_beyond(folder: Path, names: Sequence[str]) -> str:
-    """Say what files that were accepted assume beyond what is published."""
+    """Say what accepted files assume beyond the published list."""
     file = folder / "All_assumptions.v"
     modules = [name.removesuffix(".v") for name in names]
     file.write_text(write_assumptions(modules), encoding="utf-8")
@@ -131,7 +133,7 @@ def _find_fault(told: str) -> str:
 
 
 def find_assumptions(told: str) -> set[str]:
-    """Return of what `Print Assumptions` tells that which is not on the published list."""
+    """Return the assumptions in the output of `Print Assumptions` that are not published ones."""
     names = {first or second for first, second in _ASSUMPTION.findall(told)} - {"Axioms"}
     return {
         name

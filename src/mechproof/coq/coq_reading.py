@@ -16,7 +16,7 @@ _TOKENS = re.compile(r"\s*(/\\|\\/|->|=>|<=|>=|<>|:=|\d+|[A-Za-z_][\w']*|[-+*/^(
 _STATEMENT = re.compile(r"^(?:Theorem|Lemma) (\w+) : ((?:.|\n)*?)\.\nProof\.", re.MULTILINE)
 _DEFINITION = re.compile(r"^Definition (shared_\d+) : R := (.*)\.$", re.MULTILINE)
 _GROUP = r"[\w' ]+ : [\w>\- ]+"
-# To the nearest double, in statements on programs.
+# Rounding to the nearest double, in statements on programs.
 ROUNDED = sp.Function("rounded")
 _FUNCTIONS: Mapping[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin,
@@ -117,7 +117,8 @@ class _Parser:
 
     def __init__(self, text: str, letters: Mapping[str, sp.Expr]) -> None:
         self.letters = letters
-        # Letters of whole numbers, and families of numbers with how many indices they have.
+        # The letters of whole numbers, and the families of numbers with the number of their
+        # indices.
         self.wholes: Mapping[str, sp.Symbol] = {}
         self.ranks: Mapping[str, int] = {}
         self.tokens = _TOKENS.findall(text)
@@ -144,7 +145,7 @@ class _Parser:
             raise ValueError(f"Coq text: {self.next!r} after the end")
 
     def implications(self) -> list[Read]:
-        """Read relations joined by arrows, the last of them after what is named for it."""
+        """Read relations joined by arrows, the last of them after the terms named for it."""
         found = [self.relations()]
         while self.next == "->":
             self.take()
@@ -153,7 +154,7 @@ class _Parser:
         return found
 
     def named(self) -> None:
-        """Read names of terms, each of which is known to those after it."""
+        """Read terms with names, each of which may use the names before it."""
         while self.next == "let":
             self.take()
             name = self.take()

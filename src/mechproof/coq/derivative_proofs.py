@@ -27,7 +27,7 @@ from mechproof.coq.terms import (
 from mechproof.coq.theorems import Theorem, list_between
 from mechproof.record.parts import find_free, find_parts, find_roots
 
-# The running variable while it lies between the place of equality and its value.
+# The running variable while it moves from the place of equality to its value.
 _MOVING = sp.Symbol("Z0", real=True)
 _ANGLES = (sp.atan, sp.atan2)
 _TURNS = (sp.sin, sp.cos, sp.tan)
@@ -87,7 +87,7 @@ def find_variable(theorem: Theorem) -> sp.Symbol | None:
 
 
 def _is_of_square(hypothesis: sp.Basic, theorem: Theorem) -> bool:
-    """Return whether no more is said than that a root of a square has a value."""
+    """Return whether a hypothesis says only that the root of a square has a value."""
     under = (sp.Ge, sp.S.Zero)
     return (hypothesis.func, hypothesis.args[1]) == under and is_square(
         hypothesis.args[0], theorem.witness
@@ -123,7 +123,7 @@ class _Proof:
         ]
         if any(variable in find_free(k.integral.function) for k in self.known):
             raise UnwritableError("an integrand with the letter of its limit is not differentiated")
-        # The roots have their terms as if they were letters.
+        # Roots are written by their terms, as if they were letters.
         self.names = {**names, **self.roots.joined}
         self.inner = {**self.names, _MOVING: str(_MOVING)}
         self.slopes = [self._move(sp.diff(side, variable).doit()) for side in self.sides]
@@ -154,7 +154,7 @@ class _Proof:
         yield from self._compare_at_zero()
 
     def _state_joined(self, left: str, right: str) -> Iterator[str]:
-        """State the sides with the roots joined, whose factors may have another order then."""
+        """State the sides with the roots joined, whose factors may then be in another order."""
         if not self.roots.joined:
             known = "by_depth ltac:(zero)"
             other = f"transitivity {left}; [ {known} | transitivity {right}; [ | {known} ] ]"
@@ -180,7 +180,7 @@ class _Proof:
                     yield known, need
 
     def _state_need(self, number: int, known: _Known, need: sp.Basic) -> Iterator[str]:
-        """Show that a part of an integrand has values wherever its letter is."""
+        """Show that a part of an integrand has a value for every value of its letter."""
         letter = known.names[known.letter]
         yield f"assert (W{number} : forall {letter} : R, {write_relation(need, known.names)})."
         yield f"{{ intros {letter}."
@@ -191,7 +191,7 @@ class _Proof:
         yield "}"
 
     def _name_integral(self, known: _Known, needs: list[tuple[_Known, sp.Basic]]) -> Iterator[str]:
-        """State the integral's derivative, and that it is nothing at its lower limit."""
+        """State the derivative of the integral, and that it is zero at its lower limit."""
         name, letter = known.name, known.names[known.letter]
         number, lower = name[1:], write_term(known.integral.limits[0][1], self.names)
         body = write_term(known.integral.function, known.names)
@@ -276,7 +276,7 @@ class _Proof:
 
 
 def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:
-    """List the roots that the variable does not move, or that are of squares."""
+    """List the roots that do not depend on the variable, or that are roots of squares."""
     still = [
         r
         for r in find_roots(theorem.conclusion)
@@ -287,7 +287,7 @@ def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:
 
 
 def _join(side: sp.Basic, joined: Names) -> sp.Basic:
-    """Put letters for the roots that the first tactics write by others, or without any."""
+    """Put letters for the roots that the first tactics write by other roots, or without any."""
     letters = {letter.root: letter for letter in joined}
     powers = [p for p in find_roots(side) if p.base in letters]
     return side.xreplace({p: letters[p.base] ** (2 * p.exp) for p in powers})
@@ -311,13 +311,13 @@ def prove_slope(theorem: Theorem, names: Names) -> list[str]:
 
 
 def _list_roots(whole: sp.Basic) -> list[sp.Expr]:
-    """List what roots are of, the smaller first."""
+    """List the expressions under roots, smaller ones first."""
     bases = {root.base for root in find_roots(whole)}
     return sorted(bases, key=lambda base: (sp.count_ops(base), sp.default_sort_key(base)))
 
 
 def _restore_roots(whole: sp.Basic, names: Names) -> Iterator[str]:
-    """Write again as they stood roots of which Coq has written out the powers within."""
+    """Restore roots of which Coq has expanded the powers under them."""
     for base in _list_roots(whole):
         text = write_term(base, names)
         yield (

@@ -74,12 +74,12 @@ class EstablishedFacts:
                 f"try (first [ rewrite (Rabs_right {inner}) in * by (apply Rle_ge; sign) "
                 f"| rewrite (Rabs_left1 {inner}) in * by sign ])."
             )
-        # Angles beyond whole turns; SymPy may cancel what is written for them.
+        # Angles with whole turns taken off; SymPy may cancel what is written for them.
         self.turned: list[sp.Basic] = []
         rests: list[sp.Basic] = []
         whole = self._take_turns_off(whole, rests)
         self.rules: list[str] = []
-        # The terms that are written for roots of expressions.
+        # The terms in which roots are written by others.
         self.joined: dict[RootLetter, str] = {}
         turned = [*find_parts(whole, sp.sin, sp.cos, sp.tan), *rests]
         self.angles = _find_bases({node.args[0] for node in turned})
@@ -95,7 +95,7 @@ class EstablishedFacts:
     def closing(self) -> str:
         """Return the tactic for an equality of quotients.
 
-        What `field` compares before it puts in the squares is simplified with them.
+        The terms that `field` compares before it uses the squares are simplified with them.
         """
         by = self.modulo
         conditions = f"conditions ltac:(ring{by})"
@@ -107,7 +107,7 @@ class EstablishedFacts:
 
         These are listed as `rests`.
         """
-        # A relation with equal sides would become true.
+        # Taken apart into sides, because SymPy would turn a relation with equal sides into true.
         sides = [relation.args for relation in find_parts(whole, Relational)]
         whole = sp.Tuple(*chain(*sorted(sides, key=sp.default_sort_key))) if sides else whole
         for node in sorted(find_parts(whole, sp.sin, sp.cos), key=sp.default_sort_key):
@@ -168,7 +168,7 @@ class EstablishedFacts:
         self._join_roots(sorted(roots, key=sp.default_sort_key))
 
     def _join_roots(self, roots: Sequence[sp.Expr]) -> None:
-        """Write a root by others: none, one before it, or two that are not written so."""
+        """Write a root by others: none, one before it, or two that are not written by others."""
         joined: set[sp.Expr] = set()
         for number, root in enumerate(roots):
             self._join_first(root, [(), *((other,) for other in roots[:number])], joined)
@@ -205,7 +205,7 @@ class EstablishedFacts:
 
 
 def is_square(base: sp.Expr, witness: Point) -> bool:
-    """Return whether an expression is seen to be the square of a quotient."""
+    """Return whether an expression can be seen to be the square of a quotient."""
     return _find_scale(base, sp.Integer(1), witness) is not None
 
 
@@ -237,7 +237,7 @@ def _find_bases(angles: set[sp.Basic]) -> dict[sp.Basic, list[tuple[int, sp.Basi
     for number, base in (term for terms in split.values() for term in terms):
         counts.setdefault(base, []).append(number)
     right = {sp.pi: [sp.S.Half]}
-    # The largest number of which all are whole multiples.
+    # The largest number of which all of these are whole multiples.
     units = {
         base: abs(sp.gcd_list([*numbers, *right.get(base, [])])) for base, numbers in counts.items()
     }

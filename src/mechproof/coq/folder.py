@@ -38,7 +38,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tools.made import ForeignFileError, Made
 
 LIST = "mechproof-coq.sha256"
-# What of a ledger says that something is proved, of all values, at a point, or of each a part.
+# Verdicts that say that something is proved: of all values, at a point, or each on a part.
 CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED, Verdict.CONDITIONAL)
 ASSUMPTIONS = "Assumptions.v"
 _MAKEFILE = """# Has Coq check every file, and print what all of them assume: make -j2
@@ -61,7 +61,7 @@ clean:
 PAGE = "COQ.md"
 RECORD = "coq.json"
 NOT_CHECKED = "not checked in this run"
-# What Coq itself says of a file begins so, and what a reader is told of it.
+# Prefix of reasons that come from Coq itself, and what readers are told of such a file.
 BY_COQ, REFUSED = "Coq: ", "Coq refuses the proof that was written for it"
 _INTRODUCTION = """# What Coq checks
 
@@ -92,10 +92,10 @@ This page is generated.
 
 @dataclass(frozen=True)
 class RowScript:
-    """What there is of a row: its file with the text, or the reason why there is none.
+    """The file of a row with its text, or the reason why there is none.
 
-    `is_alike` tells that all its theorems have equalities with the same term on both sides:
-    what is left of both sides once they are read and worked out.
+    `is_alike` says that every theorem of the file is an equality with the same term on both sides:
+    what is left of both once they are read and worked out.
     """
 
     id: str
@@ -114,7 +114,7 @@ class RowScript:
 
 
 def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> RowScript:
-    """Write what Coq is given of a certifiable row, read back and compared with the row."""
+    """Write the script of a certifiable row, read back and compared with the row."""
     name = f"{re.sub(r'[^a-z0-9]+', '_', judgement.id.lower())}.v"
     try:
         theorems = _list_theorems(row, judgement.verdict, ledger.paper)
@@ -128,7 +128,7 @@ def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> Row
 
 
 def _list_theorems(row: Row, verdict: Verdict, paper: Paper) -> list[Theorem]:
-    """List what a row says; of one that is true on a part, that, and a point at which it fails."""
+    """List a row's theorems; of one that is true on a part, that, and a point at which it fails."""
     whole = Domain.of(paper, row.on)
     if verdict is not Verdict.CONDITIONAL:
         return build_theorems(row, verdict, whole)
@@ -180,7 +180,7 @@ def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
 class Coverage:
     """Certificates, and what Coq says of their files: nothing where it accepts them.
 
-    Files of which it says neither were not looked at.
+    Files that are in neither list were not looked at.
     """
 
     version: str

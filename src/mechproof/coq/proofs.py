@@ -57,14 +57,15 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
     theorem, cleared = clear_roots(theorem, names)
     whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
     facts = EstablishedFacts(whole, theorem.witness, names)
-    # Vectors on both sides may be equal as they are.
+    # Vectors on both sides may be equal as they are, so that they are rewritten only beside
+    # arctangents.
     has_arctangents = bool(find_parts(theorem.conclusion, sp.atan))
     vectors = list(turn_right(theorem, names)) if has_arctangents else []
     lines = [introduce(theorem, names), *opened, *cleared, *vectors, *facts.lines]
     if isinstance(theorem.conclusion, sp.Eq):
         lines += _prepare_equality(theorem, facts)
         scaled = list(_scale_vectors(theorem, facts))
-        # What arctangents of quotients are of lies deeper.
+        # The arguments of arctangents lie deeper in the terms.
         deep = f"by_depth ltac:({facts.closing})." if has_arctangents or scaled else ""
         return [*lines, *scaled, deep or _compare(facts)]
     if theorem.conclusion.func in (*ORDERED, sp.Ne):
@@ -82,7 +83,7 @@ def is_the_same(conclusion: sp.Basic, names: Names) -> bool:
 
 
 def _has_other_angles(theorem: Theorem) -> bool:
-    """Return whether the sides have arctangents of which the other side has none of that size."""
+    """Return whether a side has arctangents that the other side has not in this size."""
     if not isinstance(theorem.conclusion, sp.Eq) or find_variable(theorem) is None:
         return False
     left, right = (list(_list_angles(side)) for side in theorem.conclusion.args)
@@ -131,7 +132,7 @@ def _scale_vectors(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
 
 
 def _find_scale(vector: sp.atan2, other: sp.atan2, witness: Point) -> sp.Expr | None:
-    """Return by what positive quotient two vectors differ; None where they have other angles."""
+    """Return the positive quotient of two vectors; None where their angles differ."""
     ratios = [sp.factor(one / two) for one, two in zip(vector.args, other.args, strict=True)]
     is_one = sp.simplify(ratios[0] - ratios[1]) == 0
     is_positive = balls.truth(sp.Gt(ratios[0], 0, evaluate=False), witness, BITS)
@@ -139,13 +140,13 @@ def _find_scale(vector: sp.atan2, other: sp.atan2, witness: Point) -> sp.Expr | 
 
 
 def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
-    """List the t of which a relation has 2 arctan t as a product."""
+    """List every t for which a relation contains 2 arctan t as a product."""
     found = (p for p in find_parts(relation, sp.Mul) if len(p.args) == 2 and p.args[0] == 2)
     return [p.args[1].args[0] for p in found if isinstance(p.args[1], sp.atan)]
 
 
 def _split_denominators(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
-    """Show of the factors of each denominator that has some that they differ from zero, too."""
+    """Show that the factors of each denominator with several factors differ from zero, too."""
     by = facts.modulo
     number = 0
     for place, fact in enumerate(theorem.hypotheses, start=1):
@@ -164,12 +165,12 @@ def _split_denominators(theorem: Theorem, facts: EstablishedFacts) -> Iterator[s
             )
 
 
-# The symbol while it lies between its lower bound and its value.
+# The symbol while it moves from its lower bound to its value.
 _RISING = sp.Symbol("Z0", real=True)
 
 
 def is_rising(theorem: Theorem) -> bool:
-    """Return whether an inequality of one symbol is an equality where that is zero, its least."""
+    """Return whether an inequality of one symbol is an equality where it is 0, its least value."""
     if not isinstance(theorem.conclusion, sp.Le | sp.Ge) or len(theorem.symbols) != 1:
         return False
     symbol = theorem.symbols[0]
@@ -227,7 +228,7 @@ def open_arctangents(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]
 
 
 def _find_double(angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return a and t of an angle a + 2 arctan t; None of any other."""
+    """Return a and t of an angle a + 2 arctan t; None for any other angle."""
     turned = [term for term in sp.Add.make_args(angle) if find_parts(term, sp.atan)]
     if len(turned) != 1:
         return None

@@ -39,7 +39,7 @@ from mechproof.roundoff.specialisation import REST, Case, Whole, resolve
 from mechproof.roundoff.steps import CONSTANT, EXACT, HALF, Step, StraightLineProgram
 
 Range = tuple[Fraction, Fraction]
-# Functions of the analysis by its names.
+# Names that functions have in the analysis.
 CALLED: Mapping[str, str] = MappingProxyType(
     {
         "sin": "Sine",
@@ -50,7 +50,7 @@ CALLED: Mapping[str, str] = MappingProxyType(
         "log": "Logarithm",
     }
 )
-# Of an operation: its name in the analysis, and how it is written. All are rounded to nearest.
+# For each operation its name in the analysis, and how it is written. All are rounded to nearest.
 _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "copy": ("Copied", "{}"),
@@ -64,17 +64,17 @@ _OPERATIONS: Mapping[str, tuple[str, str]] = MappingProxyType(
         **{kind: (f"Called {name}", f"{KINDS[kind].coq} {{}}") for kind, name in CALLED.items()},
     }
 )
-# Halvings, one after another, after which the analysis gives up.
+# The depth of halvings at which the analysis gives up.
 _HALVINGS, _HALVINGS_RELATIVE = 100, 3000
-# Taylor models of coq-interval.
+# Settings of the Taylor models of coq-interval.
 _PRECISION = "i_prec 90, i_degree 20"
-# What ends a comment, or begins a text in it.
+# Characters that end a comment, or begin a string in it.
 _COMMENTED = re.compile(r'[*"]')
 _LETTER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _EPS = Fraction(1, 2**52)
 # Smaller inputs are left out: there a product may be below the least normal double.
 _LEAST = Fraction(1, 2**300)
-# By which the programs miss their functions at most: a quarter of eps.
+# The most by which programs miss their functions without roundings: a quarter of eps.
 _OFF = _EPS / 4
 
 
@@ -271,7 +271,7 @@ def _pair(number: Fraction) -> str:
 
 @dataclass(frozen=True)
 class ElementaryCase:
-    """What a program computes in a case: the bound of its roundings, in eps of its value."""
+    """The steps of a program in a case, with the bound of its roundings, in eps of its value."""
 
     name: str
     straight: StraightLineProgram
@@ -290,7 +290,7 @@ def list_elementary() -> Iterator[ElementaryCase]:
     """Yield the cases of sine, cosine, tangent and small arctangent."""
     rest = sp.Symbol(REST)
     for kind in ANGLES:
-        # Two quarter turns more change signs alone, if anything.
+        # Two more quarter turns change only signs, if anything.
         for quarters in range(2):
             number = Whole(Fraction(QUARTERS), Fraction(quarters))
             found = resolve(build(kind, DOUBLE).program, Case(number)).straight
@@ -305,7 +305,7 @@ def list_elementary() -> Iterator[ElementaryCase]:
 def _bound(
     name: str, straight: StraightLineProgram, high: float, function: sp.Expr
 ) -> ElementaryCase:
-    # Next to a pole nothing is enclosed.
+    # Near a pole the function has no enclosure.
     at_zero = function.xreplace(dict.fromkeys(function.free_symbols, sp.S.Zero))
     enclosure = FunctionEnclosure(function, _OFF) if at_zero.is_finite else None
     return ElementaryCase(

@@ -165,7 +165,7 @@ _Terms = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
 def _list_compared(statement: ReadStatement, ranges: Mapping[str, Range]) -> _Terms:
-    """Return what is said to be near to what, and the bound, for inputs in their ranges."""
+    """Return which terms are stated to be near which, and the bound, for inputs in their ranges."""
     letters = {name_letter(name): ends for name, ends in ranges.items()}
     said = (statement.quantifier, statement.variables, len(statement.conclusions))
     _require(said == ("forall", tuple((letter, "R") for letter in letters), 1), "binders")
@@ -268,7 +268,7 @@ class _Evaluation:
 
 
 def _round(ball: arb) -> Ball:
-    """Return the double that is nearest to a ball, which both of its ends have."""
+    """Return the double that is nearest to both ends of a ball."""
     ends = []
     for end in (ball.lower(), ball.upper()):
         mantissa, exponent = end.man_exp()
@@ -281,5 +281,5 @@ def _call(kind: str, value: np.float64) -> np.float64:
     return np.float64(_round(IN_BALLS[kind](arb(float(value)))))
 
 
-# Functions as statements have them; those of NumPy are not rounded to nearest.
+# Functions as statements have them, rounded to nearest, which those of NumPy are not.
 _NEAREST = IN_DOUBLES.but(**{kind: partial(_call, kind) for kind in CALLED})

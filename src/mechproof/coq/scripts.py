@@ -37,19 +37,19 @@ from mechproof.coq.terms import (
 from mechproof.coq.theorems import Theorem
 from mechproof.record.parts import find_free
 
-# From what all scripts require to what few do.
+# From the library that all scripts require to the one that few do.
 LIBRARIES = ("Mechproof", "Calculus", "Sums")
-# What scripts on bounds of roundings require, and nothing else.
+# The only library that scripts on bounds of roundings require.
 ROUNDINGS = "Roundings"
 _NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
-# What a library takes from others and scripts use by its name.
+# Names that a library takes from elsewhere and that scripts use.
 _EXPORTED = {"Calculus": ("RInt", "is_derive")}
-# A shorter term is written where it stands.
+# Terms shorter than this, in characters, are written where they stand.
 _SHORTEST = 30
-# Enclosures have so many decimal places, fewer where those of the parts are wider.
+# Decimal places of enclosures, which have fewer where those of their parts are wider.
 _PLACES = 30
 _BITS = 128
-# Two numbers are related as their difference is to zero, and differ where it has a sign.
+# Proves relations of two numbers by the enclosed sign of their difference.
 _SETTLE = f"""Ltac settle :=
   let lies := interval with (i_prec {_BITS}) in
   intros;
@@ -64,9 +64,10 @@ _SETTLE = f"""Ltac settle :=
     | apply Rgt_not_eq, Rminus_gt; lies
     | at_point ].
 """
-# Statements of numbers share their parts in longer scripts.
+# Statements of numbers share parts in scripts longer than this, in characters.
 PLAIN = 32_000
-# Work limits: Coq reads long statements for minutes, but of definitions many in seconds.
+# Work limits, in characters: Coq reads long statements for minutes, but many definitions in
+# seconds.
 _LONGEST, _LONGEST_SHARED = 60_000, 240_000
 
 
@@ -108,7 +109,7 @@ def _list_names(library: str) -> frozenset[str]:
 
 
 def share_parts(relations: Sequence[sp.Basic]) -> Names:
-    """Name both sides, and numbers that occur more than once, those of which others are made first.
+    """Name both sides and numbers that occur more than once, in the order of their construction.
 
     The sides have no free symbols.
     """
@@ -124,7 +125,7 @@ def share_parts(relations: Sequence[sp.Basic]) -> Names:
 
 
 class _Parts:
-    """Parts from below, and how often each is written where every other is written once."""
+    """The parts of terms, inner ones first, and how often each is written if all have names."""
 
     def __init__(self) -> None:
         self.counts: Counter[sp.Basic] = Counter()

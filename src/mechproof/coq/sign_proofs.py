@@ -13,7 +13,7 @@ from mechproof.record.parts import find_parts, find_roots
 from mechproof.statement_domains.domain import Point
 
 BITS = 128
-# Work limit: a difference of so many operations is not factored.
+# Work limit: a difference of more operations than this is not factored.
 _LONGEST = 400
 _TURNS = (sp.sin, sp.cos, sp.tan)
 ORDERED: Mapping[type[sp.Basic], bool] = {sp.Lt: True, sp.Le: True, sp.Gt: False, sp.Ge: False}
@@ -45,7 +45,7 @@ class FactoredQuotient:
 
 
 def find_factors(expression: sp.Expr) -> FactoredQuotient | None:
-    """Factor what is rational in sines, cosines and letters; None of what is not, or too long."""
+    """Factor a rational expression of sines, cosines and letters; None for others and long ones."""
     if sp.count_ops(expression) > _LONGEST:
         return None
     plain = expression.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
@@ -69,7 +69,7 @@ def find_factors(expression: sp.Expr) -> FactoredQuotient | None:
 
 
 def _list_roots(expression: sp.Basic) -> dict[sp.Expr, list[sp.Pow]]:
-    """List the powers with halves by their bases, those that are in no other."""
+    """List powers with half-integer exponents by their bases, except those inside others."""
     found: dict[sp.Expr, list[sp.Pow]] = {}
     for power in sorted(find_roots(expression), key=sp.default_sort_key):
         if find_parts(power.base, sp.Symbol):
@@ -140,7 +140,7 @@ def _is_strict(kind: type[sp.Basic]) -> bool:
 
 
 def _find_root(difference: sp.Expr, bases: Sequence[sp.Basic]) -> sp.Expr | None:
-    """Return that of which a difference is the square once 1 is written as sin² + cos²."""
+    """Return the root of a difference that is a square once 1 is written as sin² + cos²."""
     if len(bases) != 1 or {a.args[0] for a in find_parts(difference, *_TURNS)} != set(bases):
         return None
     sine, cosine = sp.Dummy(real=True), sp.Dummy(real=True)
@@ -210,7 +210,7 @@ def show_sign(positive: sp.Expr, witness: Point, names: Names, box: Box = NO_BOX
 
 
 def _rewrite(positive: sp.Expr, names: Names, box: Box) -> Iterator[str]:
-    """Write the tactics by a sum or a square that it is equal to."""
+    """Write the tactics that replace it by an equal sum of positive terms, or by a square."""
     text, spread = write_term(positive, names), spread_out(positive, box)
     if spread is not None:
         yield f"replace {text} with {write_term(spread, names)} by field; structure"
@@ -221,7 +221,7 @@ def _rewrite(positive: sp.Expr, names: Names, box: Box) -> Iterator[str]:
 
 
 def _turn(positive: sp.Expr, witness: Point, names: Names) -> Iterator[str]:
-    """Write the tactic for what is linear in one sine or cosine."""
+    """Write the tactic for an expression that is linear in one sine or cosine."""
     letter = sp.Dummy()
     for function in sorted(find_parts(positive, sp.sin, sp.cos), key=sp.default_sort_key):
         linear = positive.xreplace({function: letter})
@@ -247,7 +247,7 @@ def _list_turned(expression: sp.Expr) -> list[sp.Expr]:
 
 
 def _find_square(expression: sp.Expr) -> sp.Expr | None:
-    """Return that of which an expression is the square once no sine is squared."""
+    """Return the root of an expression that is a square once no sine is squared."""
     if not find_parts(expression, sp.sin):
         return None
     factors = find_factors(reduce_squares(expression))

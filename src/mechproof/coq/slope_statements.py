@@ -15,19 +15,19 @@ from mechproof.record.parts import find_free, find_roots, list_parts
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare
 
-# What Coq can differentiate; a tangent is written out.
+# The functions that Coq can differentiate; a tangent is written out.
 _DIFFERENTIATED = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log)
 
 
 def states_slope(conclusion: sp.Basic) -> bool:
-    """Return whether it is said what the derivative of a function is."""
+    """Return whether a conclusion says what the derivative of a function is."""
     return isinstance(conclusion, sp.Eq) and isinstance(conclusion.lhs, sp.Derivative)
 
 
 def differentiate_alike(
     relations: Sequence[sp.Basic], differentiated: Differentiated | None, domain: Domain
 ) -> Iterator[sp.Basic]:
-    """Yield equalities; of those with the same sides, that this is the derivative by a letter."""
+    """Yield equalities; for those with equal sides, that this is the derivative by a letter."""
     if differentiated is None:
         yield from relations
         return

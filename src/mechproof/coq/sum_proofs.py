@@ -30,7 +30,7 @@ _CLOSE = "by_depth ltac:(zero)"
 
 @dataclass(frozen=True)
 class _Term:
-    """A number times what depends on indices; `picked` is the index to which it is pinned."""
+    """A number times factors that depend on indices; `picked` is the index it is pinned to."""
 
     number: sp.Expr
     body: sp.Expr
@@ -56,7 +56,7 @@ class SumProof:
         self.theorem = theorem
         self.whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
         self.names = dict(name_letters(theorem.symbols, self.whole))
-        # The sums that are left, by their forms, each with its letter.
+        # The sums that stay as they are, by their forms, each with its letter and its text.
         self.left: dict[sp.Basic, tuple[sp.Symbol, str]] = {}
         self.values: dict[sp.Basic, sp.Expr] = {}
         self.found: list[_Closed] = []
@@ -94,7 +94,7 @@ class SumProof:
 
     @property
     def _texts(self) -> Names:
-        """Return of each letter the sum that it stands for."""
+        """Return the text of the sum that each letter stands for."""
         return dict(self.left.values())
 
     def _known(self, number: int) -> Names:
@@ -134,7 +134,7 @@ class SumProof:
         proof = _Levels(self, total, known)
         value = proof.run()
         self.values[total] = value
-        # What is left as it is has no other text.
+        # A sum that stays as it is keeps its text.
         is_left = len(indices) == 1 and value.is_Symbol
         text = write_term(total, known) if is_left else proof.text
         return _Closed(total, value, text, tuple(proof.lines))
@@ -224,7 +224,7 @@ class _Levels:
         return {**self.names, **self.proof._texts}
 
     def _write_inner(self, term: _Term, index: sp.Symbol, end: sp.Symbol) -> tuple[sp.Expr, str]:
-        """Return what the sum of a term over an inner index is, and its text."""
+        """Return the value of the sum of a term over an inner index, and its text."""
         return self._multiply(term, self._add_up(term, index, end))
 
     def _multiply(self, term: _Term, result: sp.Expr) -> tuple[sp.Expr, str]:
@@ -240,7 +240,7 @@ class _Levels:
         return sp.Sum(term.body, (index, 1, end))
 
     def _settle(self, term: _Term, index: sp.Symbol, end: sp.Symbol) -> tuple[sp.Expr, str]:
-        """Return the same of the outermost index, with a letter for a sum that is left."""
+        """Return the same for the outermost index, with a letter for a sum that is left."""
         result = self._add_up(term, index, end)
         if isinstance(result, sp.Sum):
             result = self.proof.name(_find_form(result), write_term(result, self._all))
@@ -276,7 +276,7 @@ def _join(texts: list[str]) -> str:
 
 
 def _take_sign(factor: sp.Expr) -> sp.KroneckerDelta | None:
-    """Return the sign that tells equal indices of which a factor is a power."""
+    """Return the Kronecker delta of which a factor is a power, if it is one."""
     base = factor.base if isinstance(factor, sp.Pow) else factor
     return base if isinstance(base, sp.KroneckerDelta) else None
 

@@ -31,7 +31,7 @@ TAKEN = re.compile(
     "exists|fun|in|let|match|with|end|as|return|if|then|else|Set|Prop|Type|at|using|where|fix|"
     "cofix|IF|E|F|INR|nat|sum_to|kronecker|is_derive|[HKSQNMDIVWZ][0-9]+"
 )
-# Of every family, the number for each choice of indices.
+# For every family, the number for each choice of indices.
 Laws = Mapping[sp.Basic, sp.Lambda]
 
 
@@ -148,7 +148,7 @@ def _need(node: sp.Basic) -> Iterator[sp.Basic]:
 
 
 def _square(part: sp.Expr) -> sp.Expr:
-    """Square a part; SymPy would look for long whether a long number is infinite."""
+    """Square a part unevaluated if it is long: SymPy would check for long if it is infinite."""
     return sp.Pow(part, 2, evaluate=not (part.is_number and isinstance(part, sp.Add)))
 
 
@@ -182,7 +182,7 @@ def _is_below(part: sp.Basic) -> bool:
 
 
 def _write_power(power: sp.Pow, names: Names) -> str:
-    """Write a power: of whole numbers and halves by themselves, any other of what is positive."""
+    """Write a power: whole and half exponents by products and roots, others by exp and ln."""
     base, exponent = power.base, power.exp
     if not exponent.is_Rational or exponent.q > 2:
         return f"(exp ({write_term(exponent, names)} * (ln {write_term(base, names)})))"
@@ -252,7 +252,7 @@ def has_families(*expressions: sp.Basic) -> bool:
 
 
 def find_wholes(*expressions: sp.Basic) -> set[sp.Basic]:
-    """Return the letters of whole numbers up to which is summed."""
+    """Return the letters of whole numbers that are upper limits of sums."""
     sums = find_parts(sp.Tuple(*expressions), sp.Sum)
     return {limit[2] for total in sums for limit in total.limits}
 

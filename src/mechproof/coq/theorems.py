@@ -42,11 +42,12 @@ from mechproof.record.statements import list_parts
 from mechproof.statement_domains.domain import Domain, Point, sizes_of
 from mechproof.statement_domains.preparation import prepare
 
-# Points at which the sides of a refuted statement are looked for.
+# The most points at which a statement is tried, and how many of them come first and are kept for
+# comparison.
 _POINTS = 40
 _COMPARED = 8
 _BITS = 256
-# Work limit: a relation of more parts is not written.
+# Work limit: a relation with more parts than this is not written.
 _LONGEST = 8000
 
 
@@ -102,7 +103,7 @@ def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
 
 
 def _refuse_long(relations: Sequence[sp.Basic]) -> None:
-    """Refuse relations of too many parts; of numbers equal parts count once, as they are shared."""
+    """Refuse relations of too many parts; equal parts of numbers count once, as they are shared."""
     parts: Iterator[sp.Basic] = chain.from_iterable(map(sp.preorder_traversal, relations))
     if not any(map(find_free, relations)):
         parts = iter(dict.fromkeys(parts))
@@ -217,7 +218,7 @@ def is_true(relation: sp.Basic, point: Point) -> bool | None:
 def _list_points(
     symbols: Sequence[sp.Basic], domain: Domain, relations: Sequence[sp.Basic]
 ) -> Iterator[Point]:
-    """Yield points: of sums with few terms, at every second one from families that change."""
+    """Yield points: sums get few terms, and every second point gets families that change."""
     wholes = find_wholes(*relations)
     for place, point in enumerate(_list_numbers(symbols, domain)):
         few = dict.fromkeys(wholes & point.keys(), sp.Integer(2 + place % 3))
@@ -258,13 +259,13 @@ def _list_hypotheses(
 
 
 def _is_of_elements(hypothesis: sp.Basic) -> bool:
-    """Return whether something is said of single numbers of a family; without, more is proved."""
+    """Return whether a hypothesis is about single numbers of a family; left out, more is proved."""
     sums = find_parts(hypothesis, sp.Sum)
     return bool(find_parts(hypothesis.xreplace(dict.fromkeys(sums, sp.S.One)), sp.Indexed))
 
 
 def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
-    """Yield the bounds of a set; of whole numbers no more is said, so that more is proved."""
+    """Yield the bounds of a set; that numbers are whole is left out, so that more is proved."""
     try:
         low, high = values.inf, values.sup
     except (NotImplementedError, AttributeError):
@@ -276,7 +277,7 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
 
 
 def _negate(relation: sp.Basic) -> sp.Basic:
-    """Return what is true where a relation between two sides is not."""
+    """Return the relation that is true where another one between two sides is not."""
     if not isinstance(relation, Relational):
         raise UnwritableError(f"the contrary of {type(relation).__name__} is not written")
     return relation.negated
@@ -310,13 +311,13 @@ def list_cases(relation: sp.Basic, known: tuple[sp.Basic, ...] = ()) -> Iterator
 
 
 def _put(relation: sp.Basic, law: sp.Piecewise, value: sp.Basic) -> sp.Basic:
-    """Put a piece for a law in both sides, which may become the same."""
+    """Replace a law by one of its pieces in both sides, which may become equal."""
     sides = (replace_parts(side, {law: value}) for side in relation.args)
     return relation.func(*sides, evaluate=False)
 
 
 def _turn(condition: sp.Basic) -> sp.Basic:
-    """Write a condition with the smaller side first, so that equal ones are seen to be so."""
+    """Write a condition with the smaller side first, so that equal conditions look equal."""
     if not isinstance(condition, Relational) or isinstance(condition, sp.Eq | sp.Ne):
         raise UnwritableError(f"a piece under the condition {condition} is not written")
     if isinstance(condition, sp.Gt | sp.Ge):
