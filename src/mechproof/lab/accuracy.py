@@ -40,7 +40,7 @@ from mechproof.measured import (
 
 # Simulations and solvers are measured on this many points of a set.
 SLOW_SAMPLE = 30
-# Of every set such a part is drawn for cells and searches where only some points are wanted.
+# Share of every set that is drawn where only some of its points are wanted.
 PART = 0.1
 
 Report = Callable[[str], None]
@@ -71,7 +71,7 @@ def measure_accuracy(
     depend on the executor; one of processes needs a subject that `find_subjects` has found.
     """
     sets, cells, shipped = map(len, (list_sets(subject), list_cells(subject), subject.shipped))
-    # The searches take longest: they begin first.
+    # The searches take longest, so that they start first.
     tasks: list[Callable[[], Any]] = [
         partial(_search, subject, i, points, rounds) for i in range(shipped)
     ]
@@ -127,7 +127,7 @@ def _measure_way(
     with np.errstate(all="ignore"):
         errors = find_errors(way.compute(*arguments), truth)
     found = summarise(errors, truth, subject.period, point_set.name, way.name)
-    # The accuracy bound speaks of these points only.
+    # The accuracy bound is stated for these points only.
     inside = errors.scaled[held & truth.decided]
     keeps_point = way is subject.ways[0] and truth.decided.any()
     worst = int(np.argmax(np.where(truth.decided, errors.scaled, -1.0)))
@@ -167,14 +167,14 @@ def _measure_cell(
     return Cell(named, len(truth.high), truth.undecided), errors, spans
 
 
-# All cells of a subject look for theirs among the points of its sets.
+# Cached, because all cells of a subject look for points of theirs in the same sets.
 @lru_cache(maxsize=1)
 def _draw_once(subject: Subject, share: float) -> tuple[Arguments, ...]:
     return tuple(draw_sets(subject, REPORT, share))
 
 
 def _take_inside(sizes: Sequence[Span], arguments: Arguments) -> Arguments:
-    """Take the points whose sizes, of vectors their largest components, lie in spans."""
+    """Take the points whose sizes lie in spans; the size of a vector is its largest component."""
     found = [np.abs(values).reshape(len(values), -1).max(axis=1) for values in arguments]
     pairs = zip(found, sizes, strict=True)
     inside = np.all([(low <= size) & (size <= high) for size, (low, high) in pairs], axis=0)
@@ -229,7 +229,7 @@ def _search(subject: Subject, index: int, points: int | None, rounds: int) -> Se
 def keep_worst(
     subject: Subject, searched: Sequence[Searched], known: Sequence[Point]
 ) -> tuple[Searched, ...]:
-    """Return of each way the worst input: of its search, of another way's, or known before."""
+    """Return the worst input of each way: from its own search, from another's, or known before."""
     met = [*(found.at for found in searched), *known]
     return tuple(
         max((found, *_judge(subject, found, met)), key=lambda judged: judged.scaled)

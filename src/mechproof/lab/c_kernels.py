@@ -28,7 +28,8 @@ from mechproof.record import Paper
 Array = NDArray[Any]
 Shape = tuple[int, ...]
 COMPILER = "cc"
-# A loop over the function of one point, for calls in which more than the first argument varies.
+# Name of a loop over the function of one point, for calls in which not only the first argument
+# varies.
 EACH = "call_each"
 
 
@@ -144,7 +145,7 @@ def spread(values: Array, shape: Shape) -> Array:
 
 
 LIBRARY, DRIVER = "cupy", "nvidia-smi"
-# Fused products and sums would change last digits, and what must be exact.
+# No fused products and sums: these would change last digits, and error-free transformations.
 GPU_FLAGS = ("--fmad=false", "-default-device")
 THREADS = 256
 

@@ -41,10 +41,10 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array, Way
 from mechproof.measured import Record
 
-# As many pixels as a README is wide.
+# Dots and inches: together the width of a README in pixels.
 DPI, WIDTH = 110, 9.2
 COLOURS = 256
-# What is typed in the text below a chart, and how it is written; powers stand raised.
+# Style of charts; the salt gives the same data the same bytes.
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
 
 
@@ -87,7 +87,7 @@ def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> Non
     figure.savefig(buffer, format="png", dpi=DPI)
     for key, text in about.items():
         info.add_text(key, text)
-    # The median cut would give small marks the mean of their neighbours.
+    # Not the median cut, which gives small marks the mean of their neighbours.
     few = Image.open(buffer).convert("RGB").quantize(COLOURS, Image.Quantize.FASTOCTREE)
     few.save(file, optimize=True, pnginfo=info)
 
@@ -142,7 +142,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
 
 
 def tell_usual(name: str) -> str:
-    """Say what usual calls are, if their name says more than that."""
+    """Name the usual calls, if their name says more than "usual"."""
     return "" if name == "usual" else f" ({name})"
 
 
@@ -256,12 +256,12 @@ def _wrong_branches(
 
 
 COLUMNS, HEIGHT = 6, 1.3
-# Inches that the label of the errors needs.
+# The height, in inches, that the label of the errors needs.
 LOWEST_HEIGHT = 2.2
 NAME = "overview"
-# Marks and lines in small panels, of their usual size.
+# Sizes of marks and lines in small panels, as shares of the usual ones.
 SIZE, LINE = 0.6, 0.9
-# Characters of a name that a panel has room for.
+# The number of characters of a name that a panel has room for.
 ROOM = 21
 
 
@@ -316,7 +316,7 @@ def draw_panels(records: Sequence[Record]) -> Figure:
         axes.set_visible(False)
     for axes in panels:
         axes.tick_params(labelsize=6.5, pad=1)
-        # Within few decades numbers between the powers of ten would be labelled, side by side.
+        # Over few decades the ticks between powers of ten would be labelled, too, side by side.
         axes.xaxis.set_minor_formatter(NullFormatter())
     set_ticks(panels[0], shown, right=False)
     figure.supylabel("worst error of all points, eps of the scale", fontsize=8)

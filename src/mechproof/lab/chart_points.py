@@ -15,15 +15,15 @@ from mechproof.measured import COPY, MeasuredWay, Record, Timing
 
 Family = Literal["shipped", "written", "installed", "approximate"]
 FAMILIES: tuple[Family, ...] = ("shipped", "written", "installed", "approximate")
-# An exact result has no place on a logarithmic axis: what is below this many eps is drawn here.
+# An exact result has no place on a logarithmic axis: errors below this, in eps, are drawn here.
 SMALLEST_ERROR = 0.1
 # With an error of a tenth of the scale no digit is right, however large the error.
 NO_DIGIT = 0.1 / 2.0**-52
-# Where the two lanes stand that are no errors in eps, in digits lost.
+# Heights, in digits lost, of the two lanes for results without an error in eps.
 LOST_LANE, TURNS_LANE = 16.2, 18.6
-# The largest size drawn, where caches and pages both count.
+# The largest number of points in a call that is drawn: there both caches and pages count.
 LARGEST = 100_000
-# Fewer eps than this are told in eps, more in digits lost.
+# Errors below this are told in eps, larger ones in digits lost.
 FEW_EPS = 1000
 
 
@@ -55,7 +55,7 @@ class ChartPoint:
         return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE
 
     def tell_error(self) -> str:
-        """Say what the way was seen to lose, in the words of a sentence."""
+        """Say, in the words of a sentence, what the way was seen to lose."""
         if self.turns:
             return "is somewhere wrong by whole turns"
         if not self.has_digits:
@@ -193,7 +193,7 @@ def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
 
 
 def _name_auxiliary(said: str) -> str:
-    """Name the verb that stands for one which was said: is off, as is another."""
+    """Return the auxiliary verb for one that was said, as in: is off, as is another."""
     verb = next(word for word in said.split() if word in ("is", "has", "loses"))
     return "does" if verb == "loses" else verb
 

@@ -34,7 +34,7 @@ IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
 @dataclass(frozen=True)
 class Extended:
-    """What is run of a quantity: its code, the scale of its errors, where its bound is stated."""
+    """What is run for a quantity: its code, the scale of its errors, where its bound is stated."""
 
     subject: Subject
     code: KernelCode
@@ -43,7 +43,7 @@ class Extended:
     conditions: Program | None
 
     def find_truth(self, arguments: Arguments) -> Truth:
-        """Return the values, nearly; undecided are those beyond the domain and the bound."""
+        """Return approximate values; points beyond the domain and the bound are undecided."""
         given = self._name_values(arguments, LONG_DOUBLE)
         plain = self._name_values(arguments, np.float64)
         with np.errstate(all="ignore"):
@@ -59,7 +59,7 @@ class Extended:
             value = np.stack([np.broadcast_to(v, count) for v in values], -1)
             high = value.astype(float)
             held = np.isfinite(high).all(-1)
-            # As a kernel decides it, for which an irrational end is its double.
+            # Decided as a kernel does, to which an irrational end is its double.
             held &= _holds(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
             held &= _holds(self.conditions, given, IN_EXTENDED)
             for slack in run(self.slacks, given, IN_EXTENDED) if self.slacks else ():
@@ -71,7 +71,7 @@ class Extended:
         return Truth(high.reshape(shape), low.reshape(shape), held, scale)
 
     def _mark_near(self, given: Values) -> Any:
-        """Mark the points of the domain; of sums a kernel knows it alone."""
+        """Mark the points of the domain; for sums only the kernel itself can tell."""
         if self.code.indexed:
             return True
         names = input_names(self.subject.quantity)
@@ -127,7 +127,7 @@ def _lower(subject: Subject, where: Mapping[sp.Symbol, sp.Expr], *outputs: sp.Ex
     names = input_names(subject.quantity)
     steps = {s: v for s, v in {**subject.domain.given, **where}.items() if s not in names}
     plain = arrange(frozenset(names), steps.items(), sp.ImmutableDenseMatrix(outputs))
-    # As the value is computed, what it has in common with the scale cancels in neither.
+    # Rewritten as the value is, so that what both have in common cancels in neither.
     found = share_subexpressions(apply_rewrites(plain, subject.quantity.shipped[-1].rewrites))
     return lower_steps(
         names, frozenset(), tuple(names.values()), found.steps, entries(found.output)

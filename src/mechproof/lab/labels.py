@@ -23,7 +23,7 @@ from mechproof.lab.chart_points import (
     find_front,
 )
 
-# Digits of a double, and how high a lane is.
+# The digits of a double, and the height of a lane in digits.
 DIGITS, LANE = 15.65, 2.4
 LOWEST = -2.6
 UNREACHED = "0.9"
@@ -124,7 +124,8 @@ SIGNS = {
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # More names than this crowd a panel.
 NAMES = 12
-# How small the marks without a name are, and from how many pixels on two marks are told apart.
+# Relative size of marks without names, and the distance in pixels from which two marks are told
+# apart.
 SMALL, APART = 0.6, 16
 # Where a name may stand: the shift of its box from its mark in points, and the part of its width
 # and height that it is shifted by, nearest first.
@@ -139,9 +140,9 @@ PLACES = [
 
 
 def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) -> list[ChartPoint]:
-    """Order what shall be named: the shipped way, the front, two of each family, what is far.
+    """Order the marks to be named: the shipped way, the front, two of each family, then far ones.
 
-    spots are places in pixels; what lies on a mark before it is left out.
+    `spots` are places in pixels; marks that lie on an earlier one are left out.
     """
     chosen = list(dict.fromkeys([marks[0], *find_front(marks), *find_best(marks, 2)]))
     rest = [mark for mark in marks if mark not in chosen]

@@ -30,12 +30,12 @@ DECIDED_BITS = 65
 PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
 # A ball integral at more bits takes seconds; shares below some 1e-50 stay undecided.
 PRECISIONS_OF_INTEGRALS = (128, 256)
-# A scale of error is needed to some digits only.
+# The scale of an error is needed to a few digits only.
 SCALE_BITS = 30
 # A lost value loses every bit of a double.
 ALL_BITS = 64.0
 EPS = float(np.finfo(float).eps)
-# The errors of a summary where no point is decided.
+# Errors in a summary when no point is decided.
 NOTHING = (np.nan, np.nan, np.nan, np.nan, np.nan)
 
 
@@ -233,7 +233,8 @@ def find_errors(result: Any, truth: Truth) -> Errors:
         # (Sterbenz 1974), so that no error of a few ulps is blurred.
         gap = (result.astype(np.float64) - truth.high) - truth.low
         absolute, size = _measure_size(gap), _measure_size(truth.high)
-        # At most one subnormal spacing is lost to the range of doubles, not to the formula.
+        # An error of at most one subnormal spacing is due to the range of doubles, not to the
+        # formula.
         visible = np.where(absolute <= np.finfo(float).smallest_subnormal, 0.0, absolute)
         ulp = visible / np.spacing(size)
         scaled = ulp if truth.scale is None else _scale(visible, truth.scale)

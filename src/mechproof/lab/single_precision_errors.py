@@ -55,15 +55,16 @@ from mechproof.roundoff.term_sums import run_loop
 
 FORMAT = np.float32
 SMALLEST = np.finfo(FORMAT).smallest_normal
-# What may leave the range below, of operands that are not 0.
+# Operations whose results may fall below the range though no operand is 0.
 SCALING = ("multiply", "divide", "square")
-# Of each set this share, of it so many by balls; rounds uphill, led by long doubles.
+# The share of each set that is drawn, the most of its points that balls judge, and the rounds of
+# the climb by long doubles.
 SHARE, MOST, ROUNDS = 0.05, 20, 12
 SCHEDULE = Schedule(300, 6)
 WIDER = float(np.finfo(FORMAT).eps) / EPS
-# Multiples of eps that a distance from an edge is stated in.
+# Multiples of the eps of doubles in which distances from edges are stated.
 FEW = range(1, 1000)
-# How far angles are reduced without the library.
+# Largest angles, in radians, that are reduced without the library: in doubles and in floats.
 FAR, NEAR = sp.Integer(DOUBLE.largest), sp.Integer(SINGLE.largest)
 
 
@@ -78,7 +79,7 @@ def _in_doubles(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda y: FORMAT(function(np.asarray(y, float)))
 
 
-# What the machine and the library compute, an elementary function beyond its largest angle too.
+# Operations of the machine and of the library, with elementary functions beyond the largest angle.
 _MACHINE = IN_DOUBLES.but(
     number=FORMAT,
     constant=lambda operand: FORMAT(float(find_number(operand))),

@@ -63,7 +63,7 @@ class Subject:
     modules: tuple[ModuleType | None, ModuleType | None]
     peers: tuple[Peer, ...] = ()
     by_hand: ByHand = field(default_factory=ByHand)
-    # Compiled kernels are imported for those who ask for all ways only.
+    # Compiled kernels are imported only for those who ask for all ways.
     load_compiled: Callable[[], ModuleType | None] = lambda: None
     # The folders of the derivation and of its generated modules.
     origin: tuple[Path, Path | None] | None = None
@@ -75,7 +75,7 @@ class Subject:
         return _find_again, (*self.origin, self.quantity.name)
 
     def __repr__(self) -> str:
-        # Written out, the expressions of a paper take minutes.
+        # The name alone: the expressions of a paper would take minutes to write out.
         return f"Subject({self.name})"
 
     @property
@@ -85,7 +85,7 @@ class Subject:
 
     @property
     def folder(self) -> Path | None:
-        """Return the folder of the derivation, if it is none of the package."""
+        """Return the folder of the derivation, unless it belongs to the package."""
         return self.origin[0].parent if self.origin and self.origin[1] else None
 
     @cached_property
@@ -140,7 +140,7 @@ class Subject:
 
     @cached_property
     def facts(self) -> Facts:
-        """Return what points are made from."""
+        """Return the facts that points are made from."""
         quantity = self.quantity
         return Facts(quantity.arguments, self.domain, quantity.singular, self.paper.published)
 

@@ -23,16 +23,16 @@ from mechproof.measured import COPY, MeasuredTailoring, Timing, round_off
 from mechproof.tailoring import tailor
 from mechproof.tailoring.tailored import Tailored
 
-# The entry of the paces with the number of points they were taken at.
+# Key of the number of points at which the paces were taken.
 COUNTED = ""
 SEED = 11
-# A call much shorter than this is repeated, so that the clock's own cost does not count.
+# Seconds: a much shorter call is repeated, so that the cost of the clock does not count.
 SHORTEST = 5e-4
 LONG_ENOUGH = 2.5
 UFUNCS = (np.tan, np.arctan, np.sin, np.cos, np.arctan2, np.sqrt, np.divide, np.multiply)
-# Few enough that argument and result stay in a core's own cache.
+# Number of points, few enough that argument and result stay in a core's own cache.
 UFUNC_COUNT, UFUNC_ROUNDS = 16_384, 9
-# Points of the first estimate, which decides what is too slow for a size.
+# Number of points for the first estimate, which decides what is too slow for a size.
 PROBE = 16
 
 
@@ -60,7 +60,7 @@ def time_subject(
     for name, workload in list_workloads(subject):
         ways = (*subject.ways, *(way for about, way in tailored if about.workload == name))
         pace = _probe(ways, workload(PROBE))
-        # What is too slow for every size has at least the time of its few points.
+        # A way that is too slow for every size still gets the time of its few points.
         slow = [w for w in ways if not _is_worth(w, pace, effort, effort.sizes[0])]
         rows += [_summarise(w.name, name, PROBE, [pace[w.name] * PROBE]) for w in slow]
         for count, rounds in zip(effort.sizes, effort.rounds, strict=True):
@@ -77,7 +77,7 @@ def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> b
     Time goes with the number of points, but for a solver of a whole sweep with its range.
     """
     if way.ordered:
-        # The call before, on fewer points, may be a first one.
+        # The last call, on fewer points, may have been a first one.
         return pace[way.name] * pace[COUNTED] <= 2 * effort.longest
     return pace[way.name] * count <= effort.longest
 
@@ -131,7 +131,7 @@ def time_ufuncs() -> dict[str, float]:
 def _bind(
     compute: Callable[..., Any], arguments: Arguments, place: Callable[[Any], Any] | None = None
 ) -> Callable[[], object]:
-    """Bind arrays, put in their place, and, as people write what does not vary, numbers."""
+    """Bind arrays, moved to where a way computes; what does not vary becomes a plain number."""
     written: list[Any] = [a if np.ndim(a) else np.asarray(a).item() for a in arguments]
     if place is not None:
         written = [*map(place, written)]
@@ -171,7 +171,7 @@ def _time_call(call: Callable[[], object], repeats: int) -> float:
 def _summarise(
     way: str, workload: str, count: int, mine: list[float], first: list[float] | None = None
 ) -> Timing:
-    """Summarise the rounds of one way, `first` those of the first way."""
+    """Summarise the rounds of one way; `first` are those of the first way."""
     quartiles = np.quantile(mine, [0.25, 0.5, 0.75]) / count * 1e9
     lower, median, upper = (round_off(float(q)) for q in quartiles)
     ratio = None if first is None else round_off(_median_ratio(mine, first))
@@ -183,7 +183,7 @@ def _median_ratio(mine: list[float], reference: list[float]) -> float:
     return float(np.median([a / b for a, b in zip(mine, reference, strict=False)]))
 
 
-# Errors asked for, in the unit of the quantity.
+# Errors that tailored kernels are asked for, in the unit of the quantity.
 ASKED = (1e-3, 1e-6, 1e-9, 1e-12)
 
 Tailoring = tuple[MeasuredTailoring, Way]

@@ -41,7 +41,7 @@ from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run
 
-# So many that what balls round is nothing beside the roundings of doubles.
+# Bits of precision, enough that the roundings of balls are nothing beside those of doubles.
 BITS = 192
 # Half an ulp of a double and of a float32, relative.
 SINGLE_UNIT = 2.0**-24
@@ -52,20 +52,20 @@ LOSSES: Mapping[Rounding, float] = {
     Rounding.NEAREST: 1.0,
     Rounding.LIBRARY: 2.0 * LOOPS,
 }
-# An undecided choice encloses both; doubles give an angle to the vector that is zero; a sum that is
-# never negative may be rounded to it.
+# An undecided choice encloses both values; doubles give the zero vector an angle; a sum that is
+# never negative may be rounded to zero.
 ENCLOSING = IN_BALLS.but(
     arctan2=arb.atan2,
     choose=lambda holds, a, b: a.union(b) if holds is None else a if holds else b,
     nonnegative=lambda total, size: total.union(arb(0)) if total < 0 else total,
 )
-# Of the first set so many points are enclosed, of every set so many go to the oracle.
+# Number of points of the first set that are enclosed, and of every set that go to the oracle.
 ENCLOSED, DECIDED = 8, 6
-# A row of equal points for compiled loops over rows.
+# Length of a row of equal points, for compiled loops over rows.
 ROW = 3
-# Of a set so much is drawn.
+# The share of a set that is drawn.
 SHARE = 0.05
-# Of a value and its ball: a ball wider than this part of the value says nothing.
+# A ball wider than this share of its value says nothing.
 TELLING = 1e-6
 
 
@@ -77,7 +77,7 @@ class RoundedBalls:
     is_single: bool | None = False
 
 
-# As the doubles that a kernel takes them for.
+# The constants, as the doubles that a kernel takes for them.
 CONSTANTS = {
     **{"#pi": RoundedBalls(arb(np.pi)), "#e": RoundedBalls(arb(np.e))},
     **{"#inf": RoundedBalls(arb("inf")), "#nan": RoundedBalls(arb("nan"))},
@@ -155,7 +155,7 @@ def _spread(ball: arb, relative: float) -> arb:
 
 
 def _spread_quotient(quotient: arb, a: arb, b: arb, relative: float) -> arb:
-    """Return room for an error of the largest value of t/(a + b*t**2), as the support states."""
+    """Widen a quotient by a share of the largest t/(a + b*t**2), as the support states it."""
     largest = float((1 / (2 * (a * b).sqrt())).upper()) * float(
         (1 + (b / a).max(a / b).sqrt()).upper()
     )

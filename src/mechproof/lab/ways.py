@@ -24,9 +24,9 @@ Array = NDArray[Any]
 Arguments = tuple[Array, ...]
 Compute = Callable[..., Any]
 
-# The extra that compiled kernels need.
+# Name of the extra that compiled kernels need.
 COMPILED = "fast"
-# What SymPy's NumPy printer has no array code for.
+# Expressions that SymPy's NumPy printer has no array code for.
 BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed, Implicit)
 
 
@@ -144,7 +144,8 @@ def _into_buffer(kernel: Compute) -> Compute:
     kept: dict[tuple[tuple[int, ...], ...], Array] = {}
 
     def compute(*arguments: Array) -> Any:
-        # The shape of a number is not worth asking NumPy for beside a call on few points.
+        # `getattr`, because asking NumPy for the shape of a number is too slow beside a call on few
+        # points.
         key = tuple([getattr(a, "shape", ()) for a in arguments])
         if key not in kept:
             kept.clear()

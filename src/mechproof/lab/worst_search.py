@@ -38,8 +38,8 @@ from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, climb_an
 from mechproof.statement_domains.domain import Domain
 
 BY_LONG_DOUBLES = Schedule(3000, 6)
-# So many rounds by long doubles for one by balls; after so many a population has met, and begins
-# again.
+# Rounds by long doubles for each one by balls; and the rounds after which a population has gathered
+# in one place, and a new climb begins.
 ROUNDS, CLIMB = 20, 100
 
 
@@ -154,9 +154,9 @@ def find_worst(
     share: float = 1.0,
     most: int | None = None,
 ) -> SearchedInput:
-    """Climb for some rounds from a share of each set, by balls from at most so many points of it.
+    """Climb for some rounds from a share of each set, by balls from at most `most` points of it.
 
-    The domain is not left. Without long doubles, or code of the quantity, balls are all there is.
+    The domain is not left. Without long doubles, or code of the quantity, balls do all of it.
     """
     rng = np.random.default_rng(seed)
     sets = [*draw_sets(subject, seed, share)]
@@ -178,7 +178,7 @@ def find_worst(
 
 
 def _divide(rounds: int) -> Iterator[int]:
-    """Divide rounds into climbs; none at all are one that looks around."""
+    """Divide rounds into climbs; without rounds there is one climb that only looks around."""
     return (min(CLIMB, rounds - done) for done in range(0, max(rounds, 1), CLIMB))
 
 
@@ -213,7 +213,7 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
 
 
 def _mark_inside(subject: Subject, points: Arguments) -> Array:
-    """Mark the points of the domain; of sums a kernel alone knows it, which is NaN elsewhere."""
+    """Mark the points of the domain; for sums only the kernel knows it, by NaN elsewhere."""
     if subject.quantity.has_families:
         known: Array = ~np.isnan(subject.kernel(*points))
         return known

@@ -15,10 +15,10 @@ from mechproof.record import Argument
 Rng = np.random.Generator
 Draw = Callable[[Rng, int], Columns]
 BATCHES, HOPELESS = 8, 1
-# A size of which nothing is known lies about one.
+# Range from which a size is drawn if nothing is known of it.
 UNKNOWN = (0.1, 10.0)
 MOST_COUNTED = 1e6
-# Of a range from zero on, the logarithm is drawn down to this part of its end.
+# Logarithms of sizes in a range from zero go down to this share of its upper end.
 SMALL = 1e-6
 EPS = float(np.finfo(float).eps)
 SIGNS, THIRDS, SPREADS = np.array([-1.0, 1.0]), np.array([-1.0, 0.0, 1.0]), np.array([0.02, 0.5])
@@ -92,7 +92,7 @@ def _find_beyond(facts: Facts, argument: Argument) -> float:
 
 
 def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes: Array) -> Columns:
-    """Give sizes a sign, or a direction: any, along axes and diagonals, parts of unlike size."""
+    """Give sizes a sign or a direction: any, along axes and diagonals, with unlike parts."""
     count = len(sizes)
     if len(symbols) == 1:
         return {symbols[0]: sign_randomly(facts, rng, symbols[0], sizes)}
@@ -110,7 +110,7 @@ def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes
 
 
 def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Array:
-    """Give sizes both signs where the domain has both; values for sizes where there are few."""
+    """Give sizes both signs where the domain has both; draw values where it has only a few."""
     if values := facts.region.list_values(symbol):
         return pick(rng, np.array(values), len(sizes))
     if facts.region.is_count(symbol):
@@ -129,7 +129,7 @@ def draw_published(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def _draw_printed(facts: Facts, rng: Rng, symbol: sp.Symbol, rows: Array) -> Array:
-    """Draw a size of the row, of any row that has the symbol, or between usual ends."""
+    """Draw a size of the row, else of any row that has the symbol, else between usual ends."""
     count = len(rows)
     anywhere = facts.printed_anywhere[symbol]
     if not len(anywhere):

@@ -16,7 +16,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
 
 Workload = tuple[str, Callable[[int], Arguments]]
-# A sweep ends after so many half turns of the running variable.
+# Half turns of the running variable in a sweep, and the numbers of its samples.
 SWEEP, SAMPLES = 32, (3301, 201)
 
 

@@ -90,7 +90,7 @@ def _fill(
     """Draw `count` points, shared out evenly among the targets that can be met in the domain."""
     drawn: list[Columns] = []
     missing = wanted = facts.part(count)
-    # Fewer points than targets: some of them, each once.
+    # With fewer points than targets, some of the targets get one point each.
     targets = [targets[i] for i in rng.permutation(len(targets))[:wanted]]
     for _ in range(PASSES):
         if missing <= 0:
@@ -184,7 +184,7 @@ def _spread(rng: Rng, roots: Array, size: Array, width: Array) -> Array:
         tiny = side * lowest ** rng.random(count)
         peak = roots + side * size * width * 10 ** rng.uniform(-3, 2, count)
     beside = np.where(np.isfinite(roots), step_ulps(np.nan_to_num(roots), ulps), np.nan)
-    # The neighbours of zero are subnormals, which have lost their digits.
+    # Not the neighbours of zero: these are subnormals, which have lost their digits.
     ways = [roots, *(np.where(roots == 0, tiny, way) for way in (beside, ladder)), peak]
     moved: Array = np.choose(rng.choice(4, count, p=[0.25, 0.15, 0.3, 0.3]), ways)
     return moved

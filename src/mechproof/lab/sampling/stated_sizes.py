@@ -22,10 +22,10 @@ from mechproof.record.relations import find_slack, is_comparison
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import COUNTS
 
-# A computed limit is kept away from by what so many roundings of the arguments move it: nearer,
-# no kernel can know on which side it is.
+# Points keep away from a computed limit by what so many roundings of the arguments move it: any
+# nearer, no kernel can know which side it is on.
 MARGIN = 64 * float(np.finfo(float).eps)
-# How far outside an approximate root on an edge may seem to be.
+# Relative distance by which an approximate root on an edge may seem to lie outside.
 ROUGHLY = 1e-9
 
 
@@ -40,7 +40,7 @@ class Region:
     def relations(self) -> tuple[sp.Basic, ...]:
         """Return the relations that decide: ends of intervals, whole numbers, limits.
 
-        Those of finite sets are values.
+        Those of finite sets are left out: these are given by their values.
         """
         own = set(self.symbols)
         sets = (r for s in self.symbols for r in set_relations(s, self.domain.set_of(s)))
@@ -76,7 +76,7 @@ class Region:
         return self.domain.set_of(symbol) in COUNTS
 
     def list_values(self, symbol: sp.Symbol) -> list[float]:
-        """List the values of a symbol that has so many, none for any other."""
+        """List the values of a symbol with a finite set; empty for any other."""
         return self._values.get(symbol, [])
 
     @cached_property
@@ -85,7 +85,7 @@ class Region:
         return {s: [*map(float, v.args)] for s, v in sets.items() if v.is_FiniteSet}
 
     def is_discrete(self, symbol: sp.Symbol) -> bool:
-        """Return whether next to a value of a symbol there is no other."""
+        """Return whether the values of a symbol are isolated."""
         return self.is_count(symbol) or bool(self.list_values(symbol))
 
     def mark_inside(self, columns: Columns) -> Array:
@@ -137,17 +137,17 @@ def _condition(slack: sp.Expr) -> sp.Expr:
     return sp.Add(*(sp.Abs(s * sp.diff(slack, s)) for s in symbols))
 
 
-# Sizes are drawn so many times smaller and larger than the usual and published ones.
+# Factor by which wide sizes may lie below and above the usual and published ones.
 WIDE = 1e3
-# A set that keeps fewer points of its domain says nothing.
+# A set that keeps fewer points than this in its domain says nothing.
 FEWEST = 16
 
 
 @dataclass(frozen=True)
 class Facts:
-    """Arguments with their usual sizes, where they are allowed, where it hurts, what is printed.
+    """Arguments with their usual sizes, their domain, singular places and published sizes.
 
-    Of every set the part `share` is drawn.
+    The share `share` of every set is drawn.
     """
 
     arguments: tuple[Argument, ...]
@@ -238,7 +238,7 @@ class Facts:
         known += [edge for edge in self.usual.get(symbol, ()) if edge > 0]
         sizes = np.abs(known or [1.0])
         low, high = self.region.ends(symbol)
-        # Of a size that is positive and unbounded zero is as far away as infinity.
+        # For a positive, unbounded size, zero is as far away as infinity.
         least = sizes.min() / WIDE if recurring and low == 0 and np.isinf(high) else 0.0
         most = sizes.max() * (1 if recurring else WIDE)
         inside: Array = (np.abs(values) >= least) & (np.abs(values) <= most)

@@ -15,10 +15,10 @@ from mechproof.lab.sampling.stated_sizes import FEWEST, MARGIN, Facts
 from mechproof.lab.sampling.zero_sets import Columns, call, solve_linear
 from mechproof.lab.ways import Arguments, Array
 
-# A cell by its arguments' sizes, from and to; those of other arguments are open.
+# A cell: the lower and upper size of its arguments, by name; other arguments are free.
 Sides = Mapping[str, tuple[float, float]]
 IN_CELL, MOST_TARGETS = 120, 6
-# A call that is timed goes through so many periods of a place that recurs.
+# Number of periods that a timed call goes through, if a place recurs.
 PERIODS = 16
 SEED = 8
 
@@ -84,7 +84,7 @@ def _spread(
     shared: Mapping[sp.Symbol, float],
     count: int,
 ) -> Array:
-    """Spread values evenly over what of a range lies in the domain."""
+    """Spread values evenly over the part of a range that lies in the domain."""
     values = np.linspace(*ends, count)
     others = {s: np.full(count, value) for s, value in shared.items()}
     inside = values[facts.region.mark_near({**others, symbol: values}, MARGIN)]
@@ -103,7 +103,7 @@ def _middle(facts: Facts, symbol: sp.Symbol) -> float:
 
 
 def _unknown(facts: Facts, symbol: sp.Symbol) -> tuple[float, float]:
-    """Return the part of its set that a size lies in of which nothing is known."""
+    """Return the part of its set from which a size is drawn if nothing is known of it."""
     low, high = facts.region.ends(symbol)
     inside = max(low, UNKNOWN[0]), min(high, UNKNOWN[1])
     return inside if inside[0] < inside[1] else (low, high)

@@ -17,17 +17,18 @@ from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.ways import Array
 
-# Symbol -> its values, one to a point.
+# The values of each symbol, one for each point.
 Columns = Mapping[sp.Symbol, Array]
 Wanted = Callable[[Array], Array]
-# A sign that no ball of this many bits decides is that of a root.
+# Precision, in bits: a sign that is still undecided there is taken for a root.
 BITS = 320
 HALVINGS = 60
 # Longer equations are not brought to a common denominator.
 SHORT = 60
-# Where a sign change is looked for, in sizes of the drawn value from it; both signs.
+# Distances from a drawn value, in multiples of its size and to both sides, at which a sign change
+# is sought.
 REACH = np.concatenate([[0.0], np.logspace(-3, 1, 17)])
-# The root is at most so many doubles from where bisection in doubles puts it.
+# The most doubles that a root lies away from where bisection in doubles puts it.
 FARTHEST = 2**44
 
 
@@ -44,7 +45,7 @@ class ZeroSet:
         return set(self.gap.free_symbols)
 
     def split(self, arguments: Iterable[sp.Symbol]) -> tuple[list[sp.Symbol], list[sp.Symbol]]:
-        """Return the arguments that occur, and what else does."""
+        """Return the arguments that occur, and all other symbols."""
         own = [s for s in arguments if s in self.symbols]
         return own, sorted(self.symbols - set(own), key=str)
 
