@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from mechproof.arguments.scalars import refuse_units
 
 SCALARS = frozenset({float, np.float64, np.float32})
-# Numbers that are doubles or become one as NumPy's do.
+# Types whose values are doubles, or become doubles as NumPy's would.
 EXACT = frozenset({float, np.float64, np.int64})
-# Types that Python's arithmetic and NumPy's agree on; all others keep their own.
+# Types on which Python's arithmetic and NumPy's agree; all others keep their own.
 PLAIN = SCALARS | {np.ndarray}
 BOOLS = frozenset({bool, np.bool})
 WEAK = (bool, int, float)
@@ -55,7 +55,7 @@ def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDA
             unlike = unlike or value.shape != (shape := shape or value.shape)
     if unlike:
         _check_shapes(names, values, axes)
-    # What most calls give is told by its type alone: nothing below could change it.
+    # The most usual arguments are recognised by type alone: nothing below could change them.
     return values
 
 
@@ -69,7 +69,7 @@ def _as_doubles(values: tuple[Any, ...]) -> tuple[Any, ...] | None:
         kind = type(value)
         if kind is np.ndarray and (value.dtype is DOUBLE or value.dtype is WHOLE):
             found.append(value.astype(DOUBLE, copy=False) if value.shape else float(value.item()))
-        # Larger whole numbers are for NumPy to judge.
+        # Larger whole numbers are left for NumPy to judge.
         elif kind in EXACT or (kind is int and -(2**63) <= value < 2**63):
             found.append(float(value))
         else:
@@ -161,7 +161,7 @@ def _as_array(name: str, value: Any) -> Any:
     if type(value) is float:
         return np.float64(value)
     if type(value) in PLAIN:
-        # Taken out of its array, an object has no dtype.
+        # Taken out of its array, an object would have no dtype.
         return value if value.shape or value.dtype.hasobject else value[()]
     refuse_units(name, value)
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):

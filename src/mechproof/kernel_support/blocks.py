@@ -22,9 +22,9 @@ from mechproof.kernel_support.arrays import (
 # Numbers per block, arguments and results together: with the temporaries of one expression they
 # stay in a core's own cache, and the temporaries in pages that the process already has.
 BLOCK = 16384
-# Loops along the last axis that cost more than their start.
+# Length from which a loop along the last axis costs more than its start.
 LONG_LOOP = 64
-# Arrays of which views are what they seem: a matrix never gets flat, a mask would stay.
+# Arrays whose views behave like arrays: a matrix never gets flat, and a mask would stay.
 WRITTEN = frozenset({np.ndarray, np.memmap})
 # A function of arrays that returns an array or a tuple of them.
 Function = Any
@@ -128,12 +128,12 @@ def in_blocks(
                 return _evaluate_few(evaluate, running, prepare, parameters, few, out)
         return _evaluate(evaluate, running, prepare, parameters, out, shape)
     except ArithmeticError:
-        # Python refuses what NumPy answers with infinity or NaN; and single precision is NumPy's.
+        # Python raises where NumPy gives infinity or NaN, and single precision is left to NumPy.
         numbers = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
         return _evaluate(evaluate, numbers[0], prepare, numbers[1], out, shape)
 
 
-# Around a function the context costs half of what it costs around a block.
+# As a decorator the context costs half of what it costs around a block.
 _in_quiet_blocks = quietly()(in_blocks)
 
 
@@ -190,7 +190,7 @@ def _evaluate(
     together = large[0] if len(large) == 1 else np.broadcast(*large)
     dtype = large[0].dtype if large else as_numpy(arrays[0]).dtype
     if large and type(running[0]) is float:
-        # Beside single precision a number of Python's would not count as a double.
+        # Beside single precision a Python number would not count as a double.
         running, parameters = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
     is_small = 2 * together.size <= BLOCK
     if is_small:
@@ -223,7 +223,8 @@ def _fill(
     count = len(running)
     parts = _components(target, shape)
     if all(np.size(p) < parts[0].size for p in parameters):
-        # Fewer parameters than points: what depends on them alone is computed once.
+        # With fewer parameters than points, the results that depend on them alone are computed
+        # once.
         arrays = (*running, *prepare(*(cast(p, DOUBLE) for p in parameters)))
         compute = evaluate
     else:

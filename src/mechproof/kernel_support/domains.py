@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from mechproof.kernel_support.arrays import BOOLS, PLAIN, SCALARS, as_numbers
 
-# Types whose finiteness is told by a comparison.
+# Types whose finiteness is told fastest by a comparison.
 COMPARED = SCALARS | {Fraction}
 
 
@@ -59,7 +59,8 @@ def nan_outside(
         return values if all(check(*numbers)) else tuple([value * nan for value in values])
     inside: Any = True
     for condition in check(*values, *terms):
-        # What holds everywhere is left out, so that few arrays are put together, most often none.
+        # Conditions that hold everywhere are left out: few arrays, mostly none, have to be
+        # combined.
         if condition is not True and not holds(condition):
             inside = condition if inside is True else inside & condition
     if inside is True:
@@ -67,7 +68,7 @@ def nan_outside(
     if type(inside) in BOOLS:
         return tuple([value * nan for value in values])
     if type(inside) is np.ndarray and PLAIN.issuperset(map(type, values)):
-        # Unmasked they keep their own shapes, and so does what is computed of them.
+        # Unlike a product with a mask, this keeps the shape of each value.
         return tuple([np.where(inside, value, nan) for value in values])
     # A product keeps the mask, the laziness or the unit, which np.where would drop.
     factor = np.where(inside, 1.0, np.nan)
@@ -88,6 +89,6 @@ def every(condition: Any, axis: Any) -> Any:
 def holds(condition: Any) -> bool:
     """Say whether a condition is true of every element; those of a lazy array stay unread."""
     if type(condition) is np.ndarray:
-        # Of a short array this costs a fifth of condition.all().
+        # For a short array this costs a fifth of condition.all().
         return bool(np.count_nonzero(condition) == condition.size)
     return type(condition) in BOOLS and bool(condition)

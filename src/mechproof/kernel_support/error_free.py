@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 DOUBLE = np.dtype(np.float64)
-# Arrays without axes, which NumPy need not convert in every operation.
+# Constants as arrays without axes, which NumPy need not convert in every operation.
 DOWN, FACTOR, UP = np.asarray(2.0**-28), np.asarray(2.0**27 + 1), np.asarray(2.0**28)
 LOWEST, HIGHEST = np.asarray(-1.0), np.asarray(1.0)
 

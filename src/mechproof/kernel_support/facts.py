@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-# A size, or nominal, upper and lower limit deviation.
+# A size, or its nominal value with upper and lower limit deviation.
 Size = float | tuple[float, float, float]
 
 

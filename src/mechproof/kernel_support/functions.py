@@ -84,7 +84,7 @@ def hypot(a: Any, b: Any) -> Any:
     found = np.hypot(a, b)
     if type(found) is np.float64:
         return found if found < inf else abs(a) + abs(b)
-    # No number is larger than the root, and NaN is what remains of it and another.
+    # No number exceeds its hypotenuse, so that numbers stay; NaN stays beside infinity.
     if type(found) is np.ndarray:
         np.maximum(found, a, out=found)
         return np.maximum(found, b, out=found)
