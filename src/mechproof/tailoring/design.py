@@ -168,7 +168,7 @@ def _reach(stretch: Stretch, start: float, terms: int, tolerance: float) -> floa
     shares = np.linspace(1, 0, 9)[:-1]
     low, span = 0.0, stretch.high - start
     for _ in range(4):
-        # Eight ends at once: a call costs more than its points.
+        # Eight ends are tried at once, as a call costs more than its points.
         tried = low + shares * (span - low)
         first = np.full(tried.shape, start)
         errors = _estimate(_expand(stretch.function, first, start + tried, nodes))[:, terms]

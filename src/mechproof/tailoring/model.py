@@ -25,7 +25,7 @@ from mechproof.roundoff.running import run
 # A double so large that adding to it rounds to a whole number, more cheaply than a rounding.
 WHOLE = 1.5 * 2.0**52
 UNIT = arb(2) ** -53
-# What a product loses that is too small for a double.
+# The most that a product loses by falling below the range of doubles.
 LEAST = arb(2) ** -1074
 
 
@@ -157,7 +157,7 @@ class UndecidedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class TaylorModel:
-    """A value: about the middle, over the ball, how far off; at both ends where it is exact."""
+    """A value as series about the middle and over the ball, its error, and its ends if exact."""
 
     middle: Series
     whole: Series

@@ -14,7 +14,7 @@ from mechproof.tools.extras import require_modules
 
 # What tailoring needs of the extra, by import name.
 NEEDED = ("flint", "jinja2", "mpmath", "sympy")
-# Backends that are modules of the extra fast.
+# Backends that are modules of the extra `fast`.
 FAST = ("numba",)
 
 

@@ -162,7 +162,7 @@ def read_request(
     if module is None:
         none = f"{generated} has no kernels of {paper.system}: `mechproof regenerate` writes them"
         refuse("derivations", derivations, none)
-    # A module whose kernels are defined everywhere has no conditions.
+    # A module without DOMAIN has kernels that are defined everywhere.
     conditions = [c for c in vars(module).get("DOMAIN", ()) if quantity.name in c.quantities]
     check_domain(conditions, values)
     ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
