@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
-# An inch is 25.4 mm; one column of a page is so many mm wide.
+# Millimetres in inches, and the width of one column of a page in mm.
 MILLIMETRE = 1 / 25.4
 COLUMN = 85.0
-# Points; what is smaller cannot be read at the width of a column.
+# Size of letters in points: smaller ones cannot be read at the width of a column.
 SMALL = 7.0
-# Steps of an axis in degrees, and how many it may have.
+# Steps of an axis in degrees, and the most steps that it may have.
 DEGREES = (*(1e-6, 1e-5, 1e-4, 1e-3), 0.01, 0.1, 1, 2, 5, 10, 15, 30, 60, 90, 180, 360, 720, 3600)
 MOST_TICKS = 12
 STYLE: Mapping[str, Any] = {
@@ -119,7 +119,7 @@ def tick_degrees(axis: Axis, span: float) -> None:
     """Tick an axis of so many degrees every 30, or at multiples or parts of it that can be read."""
     from matplotlib.ticker import MultipleLocator
 
-    # Of a computed angle the last digits are rounding.
+    # The last digits of a computed angle are rounding errors.
     span = float(f"{span:.9g}")
     fitting = (step for step in DEGREES if step <= span / 2 and span <= MOST_TICKS * step)
     step = 30.0 if 60 <= span <= MOST_TICKS * 30 else next(fitting, span / 2)

@@ -24,16 +24,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
 PART: Final = "pictures"
-# What matplotlib says of lines in a rule that would hold for the whole page.
+# A style that matplotlib gives in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
-# What matplotlib says of each text; other machines have a font of the same widths, or another.
+# The font that matplotlib gives for each text; other machines have one of the same widths, or
+# another.
 FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
 FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
-# A letter with an index in a caption.
+# Matches a letter with an index in a caption.
 NAME = re.compile(r"\b([^\W\d_]+)_(\w+)")
-# Of a caption, in mm: how wide a letter is on the average, and how far lines are apart.
+# Sizes in a caption in mm: the average width of a letter, and the distance of lines.
 POINT = 25.4 / 72
 LETTER, LINE = 0.54 * SMALL * POINT, 1.35 * SMALL * POINT
 

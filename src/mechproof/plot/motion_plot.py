@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Planetary = EllipticPlanetary | OvalPlanetary
 
-# Samples of a period: a step is less than a printer's dot.
+# Number of samples of a period, which makes a step smaller than a printer's dot.
 SAMPLES = 721
 MOTION_HEIGHT = 110.0
 LABELS = ("position φ₃, °", "ratio dφ₃/dφ₁", "acceleration d²φ₃/dφ₁²")
@@ -124,7 +124,7 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
         return
     from matplotlib.patheffects import withStroke
 
-    # The line at zero may run behind.
+    # A halo, because the line at zero may run behind.
     halo = withStroke(linewidth=2, foreground="#ffffff")
     panel.margins(y=0.25)
     for value, place, upward in (
@@ -275,7 +275,7 @@ LOOKS = {
     6: (LineStyle.SECOND, -60),
     3: (LineStyle.SECOND, -120),
 }
-# How far names stand from their points, in points.
+# Distance of names from their points, in points of print.
 AWAY = 4.5
 
 
@@ -304,8 +304,8 @@ def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) ->
     ray = np.array([np.cos(angle), np.sin(angle)])
     places = {"A": sun.axis, "C": satellite.axis, "B": sun.point(angle), "D": output.point(angle)}
     panel.plot(*np.stack([places["A"], places["C"]]).T, **LineStyle.GUIDE)
-    # The curves cross the line A-C at right angles: names of contacts stand away from each other
-    # near it, those of the axes beside it.
+    # The curves cross the line A-C at right angles: near it the names of contacts point away from
+    # each other, and those of the axes stand beside it.
     near, far = sorted("BD", key=lambda name: float(places[name] @ ray))
     turned = {near: 205, far: 25, "A": 110, "C": 70}
     for name, place in places.items():
