@@ -22,20 +22,21 @@ from mechproof.report.mathml import CLOSING, NAMESPACE, OPENING, SIGNS, Display
 RELATIONS = frozenset("=≠≈≡<>≤≥⩽⩾≪≫→⇒⟹⇔⟺≷≢")
 BETWEEN = RELATIONS | {*SIGNS}
 OPENS, CLOSES = frozenset(OPENING), frozenset(CLOSING)
-# A piece of more signs is broken within its brackets, too; a left side of fewer stays where it is.
+# Width, in signs, above which a piece is also broken within its brackets, and below which a left
+# side stays where it is.
 WIDE, NARROW = 34, 6
-# Brackets are opened if no piece keeps more of the width than that.
+# Brackets are opened only if every piece keeps at most this share of the width.
 OPENED = 0.75
-# What makes a piece wider is folded, to no narrower lines than that. Between entries is a gap.
+# Width above which a piece is folded, the least width of its lines, and the gap between entries.
 ROOM, LEAST, GAP = 30.0, 8.0, 1.5
 FOLDED = "lines"
 STACKED = frozenset({"mfrac", "munder", "mover", "munderover", "mtable"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
-# Indices are smaller, by what MathML Core says; signs between members have gaps around them, and
-# those of sums are large: how many letters they are as wide as.
+# Relative size of indices, as in MathML Core; widths, in letters, of a sign with the gaps around
+# it; and the signs that are set large.
 SMALLER, SPACED = 0.71, 2.4
 BIG = "∑∏∫"
-# What was measured, as long as it is there: each element is asked for at every depth above it.
+# Widths by element, as long as these exist: each one is asked for at every depth above it.
 _widths: WeakKeyDictionary[Element, float] = WeakKeyDictionary()
 
 
@@ -70,14 +71,14 @@ def _measure_both(parts: Sequence[Element]) -> tuple[float, float]:
 
 
 def measure(element: Element) -> float:
-    """Return about how many letters a formula is wide; to fold it changes nothing of that."""
+    """Return roughly how many letters wide a formula is; folding it does not change that."""
     if element not in _widths:
         _widths[element] = _measure(element, is_folded=False)
     return _widths[element]
 
 
 def _measure(element: Element, *, is_folded: bool) -> float:
-    """Return how wide an element is: as the widest of what stands above others.
+    """Return the width of an element: of things above each other, that of the widest.
 
     A root is wider by its sign.
     """
@@ -99,7 +100,7 @@ def _measure(element: Element, *, is_folded: bool) -> float:
 
 
 def _fold(element: Element, room: float, *, is_large: bool) -> None:
-    """Fold what is wider than the room within an element, on the outside first.
+    """Fold what is wider than the room within an element, outermost parts first.
 
     `is_large` says whether sums have their limits above and below them there.
     """
@@ -108,7 +109,7 @@ def _fold(element: Element, room: float, *, is_large: bool) -> None:
     elif element.tag == "mfrac":
         is_large = False
         rows = [part for part in element if part.tag == "mrow"]
-        # Neither part is folded to less than the other needs, unless that is far too much.
+        # Neither part is made narrower than the other needs, unless that is far too wide.
         least = [_find_least(list(_unpack(row)), room) for row in rows]
         room = max([room, *(width for width in least if width <= min(WIDE, 2 * room))])
         for row in rows:
@@ -152,13 +153,13 @@ def _fold_row(parts: list[Element], room: float, *, is_large: bool) -> list[Elem
     row = SubElement(table, "mtr")
     for line in lines:
         _begin(line)
-        # One element, so that a cell is a line.
+        # Wrapped in one element, so that a cell is a line.
         SubElement(SubElement(row, "mtd"), "mrow").extend(line)
     return [table]
 
 
 def _find_least(parts: list[Element], room: float) -> float:
-    """Return how wide the widest piece of a row is, if it is folded."""
+    """Return the width of the widest piece of a row once it is folded."""
     whole = sum(map(measure, parts))
     pieces = _break(parts, room) if whole > room else [parts]
     return max(sum(map(measure, piece)) for piece in pieces)
@@ -190,7 +191,7 @@ def _write(parts: Sequence[Element], display: Display, source: Element | None) -
 
 
 def _begin(parts: Sequence[Element]) -> None:
-    """Let a sign at the beginning keep the gaps that it has between two members."""
+    """Let a sign at the beginning keep the gaps that it has between two terms."""
     if _sign_of(parts[0]) in BETWEEN and "form" not in parts[0].attrib:
         parts[0].set("form", "infix")
 
@@ -202,7 +203,7 @@ def _is_tall(part: Element) -> bool:
 
 
 def _unpack(row: Iterable[Element]) -> Iterator[Element]:
-    """List what stands in a row, and in the rows within it that nothing holds together."""
+    """List the elements of a row, and those of inner rows that nothing holds together."""
     for part in row:
         if part.tag == "mrow" and not part.attrib and not _is_tall(part):
             yield from _unpack(part)
@@ -211,7 +212,7 @@ def _unpack(row: Iterable[Element]) -> Iterator[Element]:
 
 
 def _break(parts: list[Element], most: float) -> list[list[Element]]:
-    """Break a row outside of its brackets; what is wide even so within them, one deep."""
+    """Break a row outside of its brackets, and pieces that are still wide within them, one deep."""
     found = [
         narrow
         for piece in _split(parts, 0)

@@ -39,11 +39,11 @@ LANGUAGES = {
     "structured_text": "Structured Text",
     "latex": "LaTeX",
 }
-# Letters of a multiple of pi that is written as such.
+# The most letters of a multiple of pi that is written as such.
 SHORT = 8
-# Letters of a line of code on a wide page.
+# Number of letters of a line of code on a wide page.
 LINE = 64
-# No line begins within an option.
+# Options are tied, so that no line breaks within one.
 C_REMARK = Markup(
     '<code>mechproof emit c {} <span class="tied">--out c</span></code> writes it; link with '
     '<code class="tied">-lm</code>.'

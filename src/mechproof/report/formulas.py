@@ -17,11 +17,11 @@ from mechproof.report.breaks import WIDE, write_broken
 from mechproof.report.mathml import FORMULAS, MARKS, read_text, write_formula
 from mechproof.report.phrases import set_prose
 
-# Formulas within words are broken at their commas if they have more letters than a line.
+# Length in letters above which formulas within a sentence are broken at their commas.
 LONG = 40
 COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
-# Words that a finding marks within a sentence.
+# Matches words that a finding marks within a sentence.
 MARKED = re.compile(r"\{\\color\{(red|green)\}\{(.*)\}\}", re.DOTALL)
 
 
@@ -77,7 +77,7 @@ def _write_within(latex: str) -> Markup:
     bare = re.sub(r"^(?:\s|\\[ ,;]|~)+|(?:\s|\\[ ,;]|~)+$", "", latex)
     parts = list(_split(bare, COMMA)) if len(bare) > LONG else [bare]
     shown = list(map(_write_inline, filter(None, parts)))
-    # A line does not begin with a comma.
+    # Each comma is tied to its formula, so that no line begins with one.
     tied = (Markup('<span class="tied">{},</span> ').format(formula) for formula in shown[:-1])
     return before + Markup("").join((*tied, *shown[-1:]))
 
@@ -139,12 +139,13 @@ def write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
         yield write_block(" = ".join(sides))
 
 
-# The turn in which the stated bound of a position is told in radians, and the places tried in it.
+# The turn at which the stated bound of a position is told in radians, and the number of places
+# tried in it.
 TURNS, PLACES = 10, 360
 
 
 def goes_on(quantity: Quantity) -> bool:
-    """Return whether it is a position that goes on turn by turn."""
+    """Return whether a quantity is a position that goes on turn by turn."""
     running = quantity.arguments[0]
     return quantity.period is not None and quantity.unit == running.unit == "rad"
 

@@ -21,13 +21,13 @@ from markupsafe import Markup
 from mechproof.latex.package_commands import write_out
 from mechproof.tools.cache import Store, make_key
 
-# What an entry rests on besides its LaTeX: what writes it.
+# Files that write formulas: an entry depends on them besides its LaTeX.
 WRITERS = tuple(map(Path(__file__).with_name, ("mathml.py", "breaks.py", "formulas.py")))
 PACKAGES = ("latex2mathml", "sympy")
-# More entries are of old papers.
+# The most entries that are kept; older ones are of old papers.
 MOST_KEPT = 10_000
 Display = Literal["block", "inline"]
-# What the elements may carry on; others, as links and styles, are dropped.
+# Attributes that elements may keep; all others, such as links and styles, are dropped.
 ATTRIBUTES = frozenset({
     "accent", "columnalign", "display", "displaystyle", "fence", "form", "largeop", "linethickness",
     "lspace", "mathvariant", "maxsize", "minsize", "movablelimits", "rspace", "scriptlevel",
@@ -36,16 +36,16 @@ ATTRIBUTES = frozenset({
 MICROMETRE = re.compile(r"\\mu\s*\\mathrm\s*(?:\{m\}|m(?![A-Za-z]))")
 UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
-# A colon behind what is named, not that of a quotient.
+# A colon after a name, which is not that of a quotient.
 COLON = (r"\colon", r"\text{:}\;")
-# SymPy's name for the angle of a vector, and everyone else's.
+# SymPy's name for the angle of a vector, and the usual one.
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
-# The colours that mark what a mend takes away and puts in, as classes of the stylesheet.
+# Colours that mark what a correction takes away and puts in, as classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
-# Signs that may belong to a number, and what such a sign stands after.
+# Signs that may belong to a number, and what stands before such a sign.
 SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
 PRIMES = {"′": 1, "″": 2, "‴": 3}
 
@@ -68,7 +68,7 @@ class KeptFormulas:
         return make_key(WRITERS, PACKAGES)
 
     def find(self, latex: str, display: str, write: Callable[[str, str], str]) -> str:
-        """Return what is known of a formula, else what writes it returns."""
+        """Return the known text of a formula, or have it written."""
         key = sha256("\n".join((self.version, display, latex)).encode()).hexdigest()
         if key not in self.known:
             self.new[key] = self.known[key] = write(latex, display)
@@ -108,7 +108,7 @@ def _convert(latex: str, display: str) -> str:
 
 
 def _mend(element: Element) -> None:
-    """Read entities, drop what is not allowed, and say what the library leaves to the browser."""
+    """Read entities, drop attributes that are not allowed, and add what the library leaves out."""
     element.text = unescape(element.text) if element.text else element.text
     colour = element.attrib.get("mathcolor", "")
     element.attrib = {k: v for k, v in element.attrib.items() if k in ATTRIBUTES}
@@ -179,7 +179,7 @@ def _raise_degrees(element: Element) -> None:
 
 
 def _keep_low(row: Element) -> None:
-    """Leave brackets around what is no higher as they are: stretched they stand apart in fonts."""
+    """Keep brackets around low contents as they are: stretched, they stand apart in some fonts."""
     fences = [child for child in row if child.get("fence") == "true"]
     if fences and not any(part.tag in TALL for part in row.iter()):
         for fence in fences:
@@ -187,7 +187,7 @@ def _keep_low(row: Element) -> None:
 
 
 def _close_numbers(row: Element) -> None:
-    """Leave no gap before a point whose decimals stand apart, as where they are marked."""
+    """Close the gap before a decimal point whose decimals stand apart, as where they are marked."""
     for number, point in pairwise(list(row)):
         if number.tag == "mn" and point.tag == "mo" and point.text == ".":
             point.tag, point.attrib = "mn", {}
@@ -205,7 +205,7 @@ def _space_functions(row: Element) -> None:
     if row.tag not in ("mrow", "math", "mtd", "mstyle", "msqrt"):
         return
     parts = list(row)
-    # What follows a blank is a unit: 66 mm.
+    # After a blank comes a unit: 66 mm.
     units = {id(b) for a, b in pairwise(parts) if a.tag == "mtext" and _is_blank(a)}
     for left, right in pairwise(parts):
         after = _is_function(left) and id(left) not in units and not _opens(right)

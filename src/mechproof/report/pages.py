@@ -194,7 +194,8 @@ def read_font() -> str:
     font = files("mechproof.report").joinpath("font", "mechproof-math.woff2").read_bytes()
     data = b64encode(font).decode("ascii")
     source = f"url(data:font/woff2;base64,{data}) format('woff2')"
-    # The font's own height, made for its largest signs, would part lines and rows of matrices.
+    # The font's own line height, made for its largest signs, would spread lines and rows of
+    # matrices.
     height = "ascent-override: 90%; descent-override: 35%; line-gap-override: 0%"
     return f'@font-face {{ font-family: "Mechproof Math"; {height}; src: {source}; }}\n'
 
@@ -235,13 +236,13 @@ def _say(name: str) -> str:
     return capitalise(name.replace("_", " ").replace("non ", "non-"))
 
 
-# What every page says before its stylesheet.
+# The tag that every page has before its stylesheet, by which a report is recognised.
 MADE = '<meta name="generator" content="mechproof '
 MOST_OF_HEAD = 1000
 
 _BODY = re.compile(r'<main id="main" class="page">\n(.*)</main>', re.DOTALL)
 _TITLE = re.compile(r"<h1>(.*?)</h1>", re.DOTALL)
-# Names in pictures are digests of what is drawn, and stay.
+# Names in pictures are digests of what is drawn, and stay as they are.
 _PICTURE = re.compile(r"(<svg\b.*?</svg>)", re.DOTALL)
 _NAMING = re.compile(r'(?<=\s)(id|for|name|aria-labelledby|href)="([^"]*)"')
 

@@ -53,7 +53,8 @@ LEFT: Mapping[State, VerdictStyle] = {
     )
 }
 
-# The sign of a number or a term, which no letter, digit or bracket stands before; no option.
+# A minus sign of a number or a term: no letter, digit or bracket stands before it, and it is no
+# option.
 SIGNED = re.compile(r"(?<![\w)\]\-.^])-(?=[\w.(|])")
 MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
@@ -71,7 +72,7 @@ GREEK = {
 } | {"varphi": "φ", "varepsilon": "ε"}  # fmt: skip
 RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 SUPERSCRIPTS = str.maketrans("-0123456789", RAISED)
-# A Greek letter by its name, or a letter with an index, which ends before a power.
+# Matches a Greek letter by its name, or a letter with an index, which ends before a power.
 SIGN = rf"[^\W{RAISED}]"
 NAME = re.compile(
     rf"(?<![\w&#.])(d(?=(?:{'|'.join(GREEK)}|[^\W\d_])\d))?(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d(?!{SIGN})))(?:_({SIGN}+)|(\d+))?)(?!{SIGN})"
@@ -82,7 +83,7 @@ def _raise(power: re.Match[str]) -> str:
     return power[1].translate(SUPERSCRIPTS)
 
 
-# Letters of a paper's source, as they are typed there.
+# Accents of letters as they are typed in a paper's source.
 ACCENTS = {
     name: unicodedata.lookup(f"COMBINING {mark}")
     for name, mark in (
@@ -93,11 +94,11 @@ ACCENTS = {
 ACCENTED = re.compile(rf"\\({'|'.join(ACCENTS)})\{{\\?([A-Za-z]+)\}}")
 MACRO = re.compile(rf"\\(?=(?:{'|'.join(GREEK)})(?![A-Za-z]))")
 BRACED = re.compile(r"_\{(\w+)\}")
-# What is typed within a sentence, and how people write it, in this order.
+# What is typed within a sentence and how it is set, applied in this order.
 SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = tuple(
     (re.compile(pattern), written)
     for pattern, written in (
-        # One of a family: K_i[2] is K_2.
+        # A member of a family: K_i[2] is set K_2.
         (r"\b([A-Z])_[a-z]\[(\w+)\]", r"\1_\2"),
         (r"(?<=[\w)])\^(-?\d+)\b", _raise),
         (r"(?<=\d )um\b", "\N{MICRO SIGN}m"),
@@ -116,16 +117,18 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
             "\N{LEFT SINGLE QUOTATION MARK}\\1\N{RIGHT SINGLE QUOTATION MARK}",
         ),
         (r"(?<=\d)'(?![\w'])", "\N{PRIME}"),
-        # A line begins neither with an equals sign nor with what it gives to a letter.
+        # Tied, so that a line begins neither with an equals sign nor with the value after it.
         (
             r"(?<![^\s(])([^\W\d]\w{0,4}) = (?=[\w\N{MINUS SIGN}.]{1,8}(?:[\s,;:.)]|$))",
             "\\1\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}",
         ),
-        # A line does not begin with the sign of a relation, a sum or a product, nor with an index.
+        # Tied, so that a line begins neither with the sign of a relation, a sum or a product nor
+        # with an index.
         (r"(?<=[\w)\]|²³°]) (?=(?:[=<>≤≥≈+·±]|\N{MINUS SIGN}) )", "\N{NO-BREAK SPACE}"),
         (r"(?<=_\w) (?=[^\W\d_]+_\w)", "\N{NO-BREAK SPACE}"),
         (r"(?<=[ (]\d) (?=[^\W\d_Aa]\b)", "\N{NO-BREAK SPACE}"),
-        # A line does not begin with the unit of its number, nor with what a function is of.
+        # Tied, so that a line begins neither with the unit of a number nor with a function's
+        # argument.
         (r"(?<=\d) (?=%|(?:mm|µm|rad|eps|ns|sigma)\b)", "\N{NO-BREAK SPACE}"),
         (r"\b(tg|sin|cos) (?=\d)", "\\1\N{NO-BREAK SPACE}"),
     )
@@ -145,7 +148,7 @@ def set_numbers(text: str) -> str:
 
 
 def _raise_ten(power: re.Match[str]) -> str:
-    """Set a power of ten, without its factor where that is the digit one alone."""
+    """Set a power of ten, leaving out a factor that is the digit one alone."""
     before = power.string[power.start() - 1 : power.start()]
     alone = power[1] == "1" and not (before.isdigit() or before == ".")
     factor = "" if alone else f"{power[1]}·"

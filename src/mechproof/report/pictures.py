@@ -21,16 +21,16 @@ from mechproof.tools.cache import HERE, Store, list_program, make_key
 from mechproof.tools.json_rows import write_lines
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# Seconds for a picture; beyond, something hangs.
+# Time limit for a picture, in seconds: beyond it something hangs.
 LIMIT = 300.0
 SMALL = 7.5
-# Points; a column has 241.
+# The largest width, in points, of a picture for one column, which has 241.
 NARROW = 300.0
 OVERVIEW = "overview"
 KEPT = Store("pictures.json")
 MOST_KEPT = 400
 PACKAGES = ("matplotlib", "numpy")
-# What charts are drawn by, and what no figure shows.
+# Packages that draw charts, and those that no figure shows.
 CHART_SOURCES = ("lab", "plot", "measured.py")
 UNSEEN = (
     *("cli", "report", "sources", "nomenclature", "document", "latex", "improvement"),
@@ -136,7 +136,7 @@ def overview(records: Sequence[Record]) -> Picture:
 
 
 def list_figures(place: Path) -> dict[str, PictureTask]:
-    """List what a paper's folder states of its figures."""
+    """List the figures that a paper's folder states."""
     blanks = [
         Picture(figure.title, figure.caption, "", figure.name, figure.number or "", figure.after)
         for figure in find_figures(place)
@@ -158,14 +158,14 @@ def _key_figure(place: Path, blank: Picture) -> str:
 
 @cache
 def _digest_drawing() -> str:
-    """Return the digest of what figures are drawn by, for the life of the process."""
+    """Return the digest of the code that draws figures, for the life of the process."""
     program = [path for path in list_program() if path.relative_to(HERE).parts[0] not in UNSEEN]
     return make_key([*program, *sorted(Path(str(files(KERNELS))).rglob("*.py"))], ())
 
 
 @cache
 def _digest_charting() -> str:
-    """Return the digest of what charts are drawn by, for the life of the process."""
+    """Return the digest of the code that draws charts, for the life of the process."""
     return make_key(
         [p for p in list_program() if p.relative_to(HERE).parts[0] in CHART_SOURCES], ()
     )

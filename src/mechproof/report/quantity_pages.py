@@ -25,11 +25,11 @@ from mechproof.report.mathml import write_formula
 from mechproof.report.pages import RowView, describe_row, name_symbols
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
 
-# A point is shown with no more numbers of one argument.
+# The most numbers of one argument with which a point is shown.
 MANY = 4
-# Of a form that is shipped with one before it.
+# Remark on a form that is shipped together with one before it.
 TOGETHER = Markup("elsewhere; measured with the form above, as one kernel")
-# With its symbols and its shape as they are written.
+# An argument with its symbols and its shape as they are written.
 ArgumentView = tuple[Argument, Markup, str]
 
 
@@ -170,7 +170,7 @@ def _describe_arguments(
 
 
 def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:
-    """Yield what is said beside domain, accuracy and source, which stand for themselves."""
+    """Yield the notes other than domain, accuracy and source, which have places of their own."""
     for note in docstrings.list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
         if lead not in ("Domain", docstrings.TESTED, "Source"):
@@ -230,7 +230,7 @@ def _tell_searched(found: Searched, quantity: Quantity) -> str:
 
 
 def _tell_point(argument: Argument, value: object) -> str:
-    """Say what an argument is; of many numbers, how many they are: the record has them."""
+    """Say what value an argument has; for many numbers only how many, as the record has them."""
     parts = value if isinstance(value, tuple | list) else [value]
     if len(parts) > MANY:
         rows = " in a matrix" if isinstance(parts[0], tuple | list) else ""
@@ -247,7 +247,7 @@ def _list_forms(
     judged = {j.number: j for j in source.ledger.judgements}
     count = len(quantity.shipped)
     for place, form in enumerate(quantity.forms):
-        # What the kernel loses and costs is measured of all its forms together.
+        # Losses and costs of the kernel are measured for all its forms together.
         measured = "" if 0 < place < count else form.name if place else "kernel"
         row = judged.get(number_form(quantity, form))
         view = _view_form(form, place < count, row, record, measured, source.told.variables)

@@ -41,7 +41,7 @@ from mechproof.tools.cache import Store, digest_program, make_key, name_place
 from mechproof.tools.made import STAGED, ForeignFileError, Made
 
 INDEX = "index.html"
-# Lists the files of the report, so that the next one knows what it may replace.
+# Name of the list of the report's files, by which the next report knows what it may replace.
 LIST = "mechproof-report.sha256"
 # What is generated for readers, and lists of files: no page is made from it.
 UNSHOWN = frozenset({".md", ".sha256", ".pyc"})
@@ -113,7 +113,7 @@ def build_site(
             else read_records(find_generated(place), kept[place].measured)
         )
     ]
-    # The picture of all first, which takes longest.
+    # The picture of all quantities comes first, because it takes longest.
     tasks = {**list_overview(records), **_list_pictures(sources.values())}
     pictures = draw_pictures(tasks, report)
     systems = [ledger.system for ledger in ledgers]
@@ -193,7 +193,7 @@ def _render_index(
     ledgers: Sequence[Ledger], shares: Sequence[Share], overview: Picture | None
 ) -> str:
     judgements = [row for ledger in ledgers for row in ledger.judgements]
-    # The gravest first, else in the order of the papers.
+    # The gravest come first, the others keep the order of the papers.
     findings = sorted((line for share in shares for line in share.findings), key=lambda x: x[0])
     return render(
         "index",
@@ -201,7 +201,7 @@ def _render_index(
         systems=[ledger.system for ledger in ledgers],
         system="",
         is_paper=False,
-        # What nothing is found in comes last, standards among it.
+        # Papers without findings come last, standards among them.
         cards=[share.card for share in sorted(shares, key=lambda share: not share.findings)],
         findings=[line for _, line in findings],
         totals=tuple(count_totals(judgements)),
@@ -232,7 +232,7 @@ def check_folder(folder: Path) -> None:
     if folder.exists() and not folder.is_dir():
         raise ForeignFileError(f"{folder}: is a file, a folder is needed")
     names = {path.name for path in folder.iterdir()} if folder.is_dir() else set()
-    # A first report that was killed leaves only what it was about to put in place.
+    # A first report that was killed leaves only the files that it was about to put in place.
     if LIST not in names and names - {STAGED}:
         raise ForeignFileError(
             f"{folder}: is not empty and holds no report of mechproof; name another folder"
