@@ -30,11 +30,11 @@ def without_estimates() -> Iterator[None]:
 
 def _estimate(estimate: Callable[..., Any], *asked: Any) -> Any:
     if _are_refused.get():
-        # So SymPy answers for what it cannot evaluate.
+        # SymPy itself raises this for what it cannot evaluate.
         raise NotImplementedError
     return estimate(*asked)
 
 
-# SymPy has one table for all threads: it is changed once, and stays as it is.
+# SymPy has one table for all threads: it is changed once and for all.
 for _kind in (sp.Integral, sp.Sum, sp.Product):
     evalf_table[_kind] = partial(_estimate, evalf_table[_kind])

@@ -15,7 +15,8 @@ import sympy as sp
 
 from mechproof.record.parts import has_parts
 
-# Categories of Unicode that no text of a record has: what is not seen, or turns what is.
+# Unicode categories that no text of a record may have: invisible characters and those that reorder
+# others.
 REFUSED = {
     "Cc": "a control character",
     "Cf": "an invisible character or one that turns the direction of writing",
@@ -23,7 +24,7 @@ REFUSED = {
     "Zl": "a line separator",
     "Zp": "a paragraph separator",
 }
-# Blanks that a text may have; a comment or a docstring writes them as one.
+# Blanks that a text may have; comments and docstrings write them as spaces.
 BLANKS = "\n\t"
 
 
@@ -49,7 +50,7 @@ def make_exact(record: object, *names: str) -> None:
 
 
 def to_number(where: str, value: Any) -> float:
-    """Return what is a number of SymPy, too, as a plain one; refuse what is not finite."""
+    """Return a plain number, also for one of SymPy's; refuse what is not finite."""
     if isinstance(value, Real | sp.Expr):
         try:
             number = value if isinstance(value, int | float) else float(value)

@@ -11,12 +11,12 @@ from sympy.core.function import AppliedUndef
 
 from mechproof.record.exactness import RecordError
 
-# What it starts with counts for little: each step doubles the digits.
+# The start hardly matters, as each step doubles the digits.
 STEPS = 5
 MOST_STEPS = 20
-# What is left of the bracket's width after the last step.
+# The distance from the root after the last step, as a share of the bracket's width.
 LEFT = sp.Rational(1, 2**64)
-# Continuous they may be, but not smooth; or they have branches.
+# Functions that may be continuous, but are not smooth or have branches.
 _ROUGH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Mod, sp.floor, sp.ceiling, sp.Heaviside, sp.atan2)
 _WITHIN = (*_ROUGH, sp.Piecewise, sp.Derivative, sp.Limit, ExprWithLimits, AppliedUndef)
 

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
-# Functions of angles, those that give one, and what has more terms than it shows.
+# Functions of angles, functions that give one, and expressions with more terms than they show.
 TURNING = (sp.sin, sp.cos, sp.tan)
 CIRCULAR = (*TURNING, sp.cot, sp.sec, sp.csc)
 ARCS = (sp.asin, sp.acos, sp.atan)
@@ -20,7 +20,7 @@ ANGLES = (*ARCS, sp.atan2)
 ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 
 
-# Statements are asked one after another: few are at work at once.
+# Statements are taken one after another, so that few expressions are in use at once.
 @lru_cache(maxsize=256)
 def list_parts(expression: sp.Basic) -> tuple[sp.Basic, ...]:
     """List the expression and all within it, each once."""
@@ -51,7 +51,7 @@ def has_parts(expression: sp.Basic, *kinds: Any) -> bool:
 
 
 def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """Put values for parts, as SymPy's `xreplace`, which rebuilds a part as often as it occurs."""
+    """Put values for parts, like SymPy's `xreplace`, which rebuilds a part each time it occurs."""
     known: dict[Any, Any] = dict(values)
 
     def visit(node: Any) -> Any:
@@ -59,8 +59,7 @@ def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> 
             return node
         if node not in known:
             parts = [visit(part) for part in node.args]
-            # What is equal was met elsewhere: rebuilt, a relation that is left as it stands would
-            # be decided.
+            # An equal part is kept: rebuilt, a relation that is left unevaluated would be decided.
             is_kept = all(
                 new is old or new == old for new, old in zip(parts, node.args, strict=True)
             )
@@ -72,7 +71,7 @@ def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> 
     return visit(expression)
 
 
-# Statements share their parts, so that each part is asked for itself.
+# Cached for each part, because statements share their parts.
 @lru_cache(maxsize=1 << 15)
 def find_free(expression: sp.Basic) -> frozenset[sp.Basic]:
     """Return the free symbols, as SymPy's `free_symbols`."""
@@ -100,10 +99,10 @@ def find_bound(expression: sp.Basic) -> set[sp.Symbol]:
     }
 
 
-# Derivatives of a formula by its letters, and of what is made of it, have most parts in common.
+# Cached, because derivatives of a formula by its letters have most of their parts in common.
 @lru_cache(maxsize=1 << 14)
 def differentiate(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """Return what `sympy.diff` does, which asks of each part anew whether it has the symbol."""
+    """Return the same as `sympy.diff`, which searches every part anew for the symbol."""
     if symbol not in find_free(node):
         return sp.S.Zero
     if node.is_Add:

@@ -13,7 +13,8 @@ from mechproof.record.exactness import RecordError, check_name, is_name, make_ex
 from mechproof.record.statements import Statement
 from mechproof.record.variables import Part
 
-# Begins the number of each row on the form of a quantity; this before it, of one on derivatives.
+# Prefix of the numbers of rows on the forms of a quantity, and before it that of rows on
+# derivatives.
 KERNEL = "kernel "
 DERIVATIVES = "derivatives of "
 
@@ -138,7 +139,8 @@ class Scale:
         values: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in self.where:
             values[symbol] = value.xreplace(values)
-        # At once: SymPy compares the arguments of a maximum whenever one of them changes.
+        # All at once, because SymPy compares the arguments of a maximum whenever one of them
+        # changes.
         return self.expression.xreplace(values)
 
 
@@ -156,8 +158,8 @@ class Accuracy:
     where: str = ""
 
 
-# Of derivatives relative to their conditioning: a rounding of 1/2 eps, of a step or on the way
-# back, is a change of that step, and searches find no more than a third.
+# Accuracy of derivatives relative to their conditioning: a rounding of 1/2 eps, of a step or on the
+# way back, counts as a change of that step. Searches find no more than a third of the bound.
 SLOPES = Accuracy(4)
 
 

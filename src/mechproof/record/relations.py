@@ -184,7 +184,7 @@ _NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
     sp.log: lambda x: (Slack(x, True),),
     sp.asin: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
     sp.acos: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
-    # Below zero it has values between whole numbers, too.
+    # Below zero it has values between whole numbers, too, which are left out here.
     sp.gamma: lambda x: (Slack(x, True),),
     sp.acosh: lambda x: (Slack(x - 1, False),),
     sp.atanh: lambda x: (Slack(1 - x, True), Slack(1 + x, True)),
@@ -193,12 +193,12 @@ _TURNING: Mapping[tuple[type[sp.Expr], ...], type[sp.Expr]] = {
     (sp.tan, sp.sec): sp.cos,
     (sp.cot, sp.csc): sp.sin,
 }
-# They have kinks or steps; denominators of these may be zero on whole intervals.
+# Functions with kinks or steps: denominators of these may be zero on whole intervals.
 KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
 
 
 def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
-    """List the parts with a value in places only, once each; none in sums, integrals and cases."""
+    """List the parts that lack a value in places, once each; none in sums, integrals and cases."""
     found: dict[sp.Expr, None] = {}
     seen: set[sp.Basic] = set()
 

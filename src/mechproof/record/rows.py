@@ -14,7 +14,7 @@ from mechproof.record.variables import Part
 
 Derived = Mapping[sp.Basic, sp.Basic]
 
-# What a row rests on, and what that obliges a reader to.
+# Marks of rows: what a row rests on, and what that means for a reader.
 MARKS = {
     "rebuilt": "the print is damaged and was restored from the equations around it: what was "
     "restored cannot be charged to the paper, and that it is proved confirms nothing",

@@ -15,7 +15,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts, has_parts, replace_parts
 
-# A sum of more terms is not written out.
+# A sum of more terms than this is not written out.
 MOST_TERMS = 64
 
 
@@ -26,7 +26,7 @@ def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.
 
 
 def put_found(expression: Any, found: Mapping[Any, sp.Expr | None]) -> Any:
-    """Put the values that were found for parts in their places, infinite ones of what is alone."""
+    """Put found values for parts in their places; an infinite one only for the whole expression."""
     known = {part: value for part, value in found.items() if value is not None}
     finite = {part: value for part, value in known.items() if not value.is_infinite}
     return known.get(expression, expression.xreplace(finite))
@@ -68,7 +68,7 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
 
 
 def write_steps(expression: sp.Basic) -> sp.Basic:
-    """Write what jumps by floors and by pieces."""
+    """Write functions that jump by floors and by pieces."""
     for kind, write in STEPS.items():
         if has_parts(expression, kind):
             expression = expression.replace(kind, write)

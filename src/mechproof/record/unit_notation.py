@@ -41,7 +41,7 @@ _VOLTAGE, _CHARGE = _POWER / _CURRENT, _CURRENT * _TIME
 _FLUX = _VOLTAGE * _TIME
 _TURN, _TEN = 2 * sp.pi, sp.Integer(10)
 _DEGREE = sp.pi / 180
-# One a minute, in radians a second.
+# One revolution per minute, in radians per second.
 REVOLUTIONS = _TURN / 60
 _BY_THE_MINUTE = ("rpm", "r/min", "rev/min", "U/min", "1/min", "min^-1")
 # The micro sign, and the letter that looks like it.
@@ -50,7 +50,7 @@ _PREFIXES = {"p": -12, "n": -9, **_MICRO, "m": -3, "c": -2, "d": -1, "h": 2, "k"
 
 
 def _list_multiples(unit: str, prefixes: str) -> Mapping[str, sp.Expr]:
-    """Return how large a coherent unit is, and with which prefixes."""
+    """Return the sizes of a coherent unit, without and with some prefixes."""
     return {unit: _TEN**0, **{f"{one}{unit}": _TEN ** _PREFIXES[one] for one in prefixes}}
 
 
@@ -102,7 +102,7 @@ _ANGLES = {
 _BASE: Mapping[str, Unit] = {
     **dict.fromkeys(("", "1", "-"), ONE),
     "%": Unit(NUMBER, _TEN**-2),
-    # No multiple of K: its zero is another.
+    # Not a multiple of K, as its zero is another one.
     "°C": Unit(_TEMPERATURE, sp.nan),
     **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
     **dict.fromkeys(_BY_THE_MINUTE, Unit(ANGLE / _TIME, REVOLUTIONS)),
@@ -127,7 +127,7 @@ _JOINED = (
     *("per", "mu", "textmu"),
 )
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
-# Powers before a unit, \square\milli\metre.
+# Powers that stand before a unit, as in \square\milli\metre.
 _RAISED = {"square": "squared", "cubic": "cubed"}
 _RAISED_BEFORE = re.compile(
     rf"\\(square|cubic)\s*((?:\\(?:{'|'.join(_JOINED)})\s*)*\\[A-Za-z]+\s*|\s[A-Za-z]+\s*)"
@@ -135,7 +135,7 @@ _RAISED_BEFORE = re.compile(
 _FACTOR = re.compile(
     r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+(?:/\d+)?)\}?)?\s*"
 )
-# What a bracket divides by, W/(m K), and a dot between units, kN.m.
+# What a bracket divides by, as in W/(m K), and a dot between units, as in kN.m.
 _BELOW = re.compile(r"/\s*\(([^()/]*)\)")
 _DOT = re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])")
 _BRACED = re.compile(r"\^\{(-?\d+)\}")
@@ -220,7 +220,7 @@ def name_in_si(dimension: Dimension) -> str:
 
 
 def weigh_unit(name: str) -> sp.Expr | None:
-    """Return what a unit is in symbols of those of SI, nothing for revolutions by the minute.
+    """Return a unit in symbols of those of SI; None for revolutions per minute.
 
     What holds for quantities holds for units of any size: their symbols are positive numbers.
     """

@@ -52,7 +52,7 @@ class Dimension:
         return tuple(vars(self).values())
 
     def __str__(self) -> str:
-        # As ISO 80000-1 prints them.
+        # The order and the signs are those of ISO 80000-1.
         powers = zip("LMTΘIN", self.powers, strict=True)
         return "·".join(n if p == 1 else f"{n}^{p}" for n, p in powers if p) or "1"
 
