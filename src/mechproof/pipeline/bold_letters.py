@@ -18,14 +18,14 @@ _BOLD = re.compile(
     r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
     r"(?P<index>_(?:\w|\{[^{}]*\}))?"
 )
-# An index behind the dots of a letter is that of the letter.
+# An index behind the dots of a letter belongs to the letter.
 _BEHIND_DOTS = re.compile(r"(\\d{1,3}ot\s*\{[^{}]*(?:\{[^{}]*\})?)\s*\}(_(?:\w|\{[^{}]*\}))")
-# Types in which a capital may be a matrix, and letters side by side are a product; an arrow may
-# stand above two points.
+# Typefaces in which a capital may be a matrix, and letters side by side are a product; an arrow, by
+# contrast, may stand above two points.
 _TYPE = r"\\(?:mathbf|boldsymbol|bm|pmb)\s*"
 _PRODUCT = re.compile(rf"{_TYPE}\{{\s*[A-Za-z]{{2,}}\s*\}}")
 _CAPITAL = re.compile(rf"{_TYPE}\{{?\s*(?:[A-Z]|\\[A-Z])")
-# Unit vectors and matrices, by the letters that they mostly have.
+# Unit vectors and unit matrices, by the letters that they mostly have.
 _UNITY = re.compile(rf"(?:{_TYPE}|\\vect?\s*)\{{?\s*[eijknIE]\s*\}}?(?:_.*)?")
 
 
@@ -58,7 +58,7 @@ def show_entries(variable: Variable) -> Iterator[Variable]:
 
 
 def move_entries(moving: Moving) -> Moving:
-    """Return what depends on what with the entries of vectors and matrices that do."""
+    """Return which letters depend on which, with entries in place of vectors and matrices."""
     entries = {
         entry: (by, own)
         for letter, (by, rates) in moving.items()

@@ -28,7 +28,7 @@ from mechproof.coq.terms import UnwritableError
 from mechproof.pipeline.bounding import Bounding
 from mechproof.roundoff.boxed import Convention, put_in_box
 
-# In turn, the first to four digits the bound itself.
+# Multiples of a bound that are tried in turn; the first one is the bound itself to four digits.
 SHARES = (1.002, 1.02, 1.05, 1.1, 1.2, 1.5, 2.0)
 DIGITS = 4
 
@@ -47,7 +47,7 @@ class CoqBound:
     off: Fraction | None = None
 
 
-# Of a share of a bound: what is stated then, and the script.
+# Writes, for a multiple of a bound, what is then stated, and the script.
 Write = Callable[[float], tuple[Fraction, str]]
 
 
@@ -73,7 +73,7 @@ def prove_in_coq(
 def prove_functions_in_coq(
     folder: Path, tell: Callable[[str], None] = lambda text: None
 ) -> tuple[CoqBound, ...]:
-    """Do so for the elementary functions of compiled kernels; bounds are shares of their values.
+    """Have Coq prove bounds of the elementary functions of compiled kernels, as shares of values.
 
     Raises as `prove_in_coq` does.
     """
@@ -92,7 +92,7 @@ def _prove_least(
     folder: Path,
     tell: Callable[[str], None],
 ) -> tuple[CoqBound, ...]:
-    """Have Coq prove one share after the other of what is not proved yet, each in its file."""
+    """Have Coq try one multiple after another for what is not proved yet, each in its file."""
     named = dict(zip(writers, names, strict=True))
     found: dict[str, CoqBound] = {}
     accepted: dict[str, str] = {}

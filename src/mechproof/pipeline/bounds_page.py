@@ -24,7 +24,7 @@ from mechproof.roundoff.boxed import Convention, find_worst_input, put_in_box
 from mechproof.roundoff.steps import FUNCTIONS, HALF
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# Seconds for all programs with one convention.
+# Time limit, in seconds, for all programs with one convention.
 LIMIT = 3600.0
 CITED = "cited.json"
 NEAR, BELOW, NEAR_CITED = 1.02, 0.99, 1.1

@@ -17,7 +17,7 @@ from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
 from mechproof.record import Variable
 from mechproof.record.unit_notation import is_unit
 
-# A number, and behind a blank what may be its unit.
+# Matches a number with what may be its unit after a blank.
 _WITH_UNIT = re.compile(r"[-+\d.]+(?:\s|~|\\[,:;!])+(?:\\mathrm\s*\{)?([^\W\d_]+)\}?\s*")
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 _ACCENTS = re.compile(r"\\d{1,3}ot(?![A-Za-z])|'+")
@@ -33,7 +33,7 @@ def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic,
 
 
 def find_decimals(said: Iterable[str], variables: Sequence[Variable]) -> dict[sp.Basic, str]:
-    """Return the digits of letters whose values are decimals, which are rounded as printed ones."""
+    """Return the digits of letters with decimals as values: these are rounded, as printed ones."""
     values = ((name.strip(), value.strip()) for name, _, value in (x.partition("=") for x in said))
     digits = {name: value for name, value in values if _DECIMAL.fullmatch(value)}
     return {v.symbol: digits[name] for v in variables for name in v.latex if name in digits}
@@ -108,15 +108,16 @@ def find_given_moving(
     differentials: Collection[str],
     given: Collection[str],
 ) -> Moving:
-    """Return the letters that depend on others; what a given letter depends on, its value says.
+    """Return the letters that depend on others; for letters with a value, the value says on which.
 
-    Beside derivatives of other letters one of a given letter is worked out as a printed one is.
+    The derivative of a letter with a value, beside derivatives of others, is worked out as a
+    printed one is.
     """
     prints = [v.latex[0] for v in variables]
     derived = {name_symbol(_ACCENTS.sub("", x)) for x in prints if _ACCENTS.search(x)}
     if derived & {*given} and derived - {*given}:
         differentials = {*differentials, "'"}
-    # A prime may be by a letter that is given.
+    # A prime may mean the derivative by a letter that has a value.
     known = set() if any("'" in x for x in prints) else {*given} - derived
     known -= {name_symbol(x) for x in prints if _ACCENTS.search(x)}
     shown = [v for v in variables if name_symbol(v.latex[0]) not in known]
@@ -133,7 +134,7 @@ def find_given_moving(
 def find_parameters(
     variables: Sequence[Variable], differentials: Collection[str]
 ) -> dict[sp.Basic, sp.Symbol]:
-    """Return what runs in the value of a letter by which something is differentiated, dy/dx."""
+    """Return the letter that runs in the value of one that differentiates something, dy/dx."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     moved = {v.symbol for v in variables if v.latex and v.latex[0] in RUNNING}
     found: dict[sp.Basic, sp.Symbol] = {}

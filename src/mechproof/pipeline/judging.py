@@ -10,7 +10,8 @@ from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import JudgedPaper, Ledger
 from mechproof.pipeline import verification
 
-# Called with the title of a stage, whose context it is; yields what is told of its progress.
+# Called with the title of a stage; returns the stage's context, which yields a function to tell its
+# progress.
 Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
 
 

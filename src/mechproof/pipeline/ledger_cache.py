@@ -39,7 +39,8 @@ class LedgerCache:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
         kept = self.store.read().get(self.program, {})
         with suppress(ValueError, KeyError, TypeError):
-            # A file that was not there could not be read.
+            # The chosen file may be there now, though it could not be read when the ledger was
+            # made.
             is_new = self.chosen.exists() and str(self.chosen) not in kept["read"]
             if not is_new and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])

@@ -19,9 +19,10 @@ from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.record import Variable
 
-# Letters that are functions of one that stands alone in a bracket behind them; of the time all are.
+# Letters that are functions of one that stands alone in a bracket behind them; of the time all
+# letters are.
 _FUNCTIONS = (*"fghpqrsuvwyzFGH",)
-# Letters that are mostly constants beside others that depend on something; so with an index.
+# Letters, also with an index, that are mostly constants beside others that depend on something.
 _CONSTANT = (*"abcdegiklmnrABCGIJKLMNR", "delta", "lambda", "mu", "pi")
 _CONSTANT_VECTORS = tuple(f"{kind[1:]}c" for kind in VECTORS)
 _RATE = re.compile(
@@ -29,9 +30,10 @@ _RATE = re.compile(
     r"|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+(?:\s*\{\\?[A-Za-z]+\})?)\s*\}?"
     r"(?P<index>.*)"
 )
-# What is done to a derivative as to a constant, although it is none.
+# Signs in which a letter that depends on another is treated as a constant, although it is none.
 OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
-# Of a letter so many derivatives have symbols; so many are printed of one that depends on another.
+# Orders of derivatives that have symbols, and how many have to be printed of a letter that depends
+# on another.
 _ORDERS = range(1, 6)
 _FEWEST = 2
 
@@ -99,7 +101,7 @@ def _split(latex: str) -> list[str]:
 
 @dataclass(frozen=True)
 class Moving:
-    """What depends on what: letters with that one and their derivatives, and variables of these.
+    """Which letters depend on which, with their derivatives, and the variables of these.
 
     A prime behind a bracket is a derivative by `primed`.
     """
@@ -143,7 +145,7 @@ def find_moving(
     accented = {name_symbol(v.latex[0]) for v, _ in met}
     unclear = {x for x in symbols.keys() - accented - {*steps} if not is_constant(x, primed)}
     for base, (by, known) in steps.items():
-        # The derivative of one that is nothing else may be a constant.
+        # A letter with a single derivative and nothing else may be a constant.
         is_lone = len(known) + (base in symbols) < _FEWEST and base not in of
         others = sorted(unclear - {by}) or [base] * is_lone
         if others and (by in below or "'" in differentials):
@@ -166,15 +168,15 @@ def find_moving(
 def _find_running(
     symbols: Collection[str], primed: Collection[str], by: Collection[str], named: Collection[str]
 ) -> str:
-    """Return the letter by which primes are, empty where that is not clear.
+    """Return the letter that primes differentiate by; empty where that is not clear.
 
-    So is an angle by which something is differentiated: that is `named`.
+    An angle by which something is differentiated is clear: it is `named`.
     """
     angles = ({*map(name_symbol, RUNNING)} - {*"txyz"}) & {*symbols}
     alone = {"x"} - {*primed} or {"t"}
     printed = {"x", "t"} & {*symbols, *named}
     running = {*by} or (printed or {*named}) - {*primed} or angles or alone
-    # An angle beside a letter with a prime may be a constant as well.
+    # An angle beside a letter with a prime may as well be a constant.
     is_clear = len(running) == 1 and not (primed and running <= angles - {*named})
     return next(iter(running)) if is_clear else ""
 
@@ -212,7 +214,7 @@ def _refuse_others(
 
 
 def name_base(latex: str) -> str:
-    """Return the letter of which a print is the derivative, or that it is."""
+    """Return the letter that a print is, or is the derivative of."""
     rate = _RATE.fullmatch(latex)
     return _name_base(rate).strip() if rate else latex
 

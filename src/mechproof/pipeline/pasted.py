@@ -289,7 +289,7 @@ def _refuse_open(rows: Sequence[Row], reader: Reader, running: Collection[sp.Bas
             raise ValueError(f"nothing says at which {min(map(str, met))} to take a function")
 
 
-# What is said -----------------------------------------------------------------------------------
+# What is said of letters ------------------------------------------------------------------------
 
 
 def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:

@@ -152,7 +152,7 @@ def _find_functions(pasted: Pasted) -> dict[str, type[sp.gamma]]:
 
 
 def _take_special(pasted: Pasted) -> Pasted:
-    """Return what is pasted with what its letters are taken for: Euler's number e, factors, ..."""
+    """Return what is pasted with special letters named as such: Euler's number e, factors, ..."""
     prints = pasted.prints
     said = [text.partition("=")[0].strip() for text in pasted.values]
     said += [*special_letters.find_declared(pasted.where), *special_letters.find_running(prints)]
@@ -171,14 +171,14 @@ def _take_special(pasted: Pasted) -> Pasted:
 
 
 def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
-    """Return what must hold so that letters that have values are real numbers."""
+    """Return the conditions under which letters with values are real numbers."""
     needed: dict[Relational, None] = {}
     values = [v.given for v in variables if isinstance(v.given, sp.Expr) and v.given.free_symbols]
     for value in values:
         needs = [need for part in list_partial(value) for need in list_needs(part)]
         told = [sp.Gt(number, 0) if strict else sp.Ge(number, 0) for number, strict in needs]
         told += [sp.Ne(divisor, 0) for divisor in list_divisors(value)]
-        # Of a number SymPy knows whether it holds.
+        # For numbers SymPy has already decided whether these hold.
         needed |= dict.fromkeys(relation for relation in told if isinstance(relation, Relational))
     positive = {relation.lhs for relation in needed if isinstance(relation, sp.Gt)}
     return [r for r in needed if isinstance(r, sp.Gt) or r.lhs not in positive]

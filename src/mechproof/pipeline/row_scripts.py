@@ -54,7 +54,7 @@ class Certified:
     lost: tuple[str, ...] = ()
 
 
-# What is at work, for the processes that are forked.
+# The papers at work, for the processes that are forked.
 _opened: list[tuple[Opened, JudgedPaper]] = []
 
 

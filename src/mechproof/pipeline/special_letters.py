@@ -22,11 +22,11 @@ from mechproof.record import AnyFunction, Variable
 
 EULER = r"e=\mathrm{e}"
 _LOGARITHMS = (r"\ln", r"\log")
-# A derivative, or an integral, has a d that is no letter.
+# The d of a derivative or an integral, which is no letter.
 _DIFFERENTIAL = re.compile(
     r"\\i{0,2}int(?![A-Za-z])|(?:\}|\\frac\s*d)\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]"
 )
-# Of which numbers letters are, behind a print: \quad(n\in\mathbb{N}).
+# Matches the set that letters are said to be in, behind a print: \quad(n\in\mathbb{N}).
 _SET = re.compile(
     r"\\in\s*\\mathbb\s*\{?\s*(?P<set>[NR])\s*\}?(?P<zero>_\{?0\}?)?\s*(?P<close>\)?)\s*\Z"
 )
@@ -38,18 +38,18 @@ _LETTERS = re.compile(
     rf"(?P<letters>{_LETTER}(?:\s*,\s*{_LETTER})*)\s*\Z"
 )
 _ENDS = (",", ";", r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad")
-# Characters before a set among which its letters stand.
+# How many characters before a set its letters are looked for.
 _NEAR = 60
-# What a letter comes to a number in.
+# Matches a letter that approaches a value in a limit.
 _APPROACHED = re.compile(r"\\lim_\{\s*([A-Za-z])\s*\\(?:to|rightarrow)(?![A-Za-z])")
-# What it, a sum or a product runs over.
+# Matches the letter that a limit, a sum or a product runs over.
 _RUNS = re.compile(r"\\(?:lim|sum|prod)_\{\s*([A-Za-z])(?![A-Za-z])")
-# An eccentricity: 1-e^2, 1+e\cos\varphi.
+# Matches an e that is an eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 
 
 def find_declared(conditions: Iterable[str]) -> list[str]:
-    """Return the letters of which conditions say between which numbers they are, 0<e<1."""
+    """Return the letters that conditions put between numbers, as in 0<e<1."""
     signs = groupby((sign for text in conditions for sign in (*list_signs(text), ",")), ",".__eq__)
     found = [[x for x in part if begins_letter(x) or x == "_"] for _, part in signs]
     return [letters[0] for letters in found if len(letters) == 1]
@@ -143,9 +143,9 @@ def leave_out_integers(latex: str) -> str:
 
 _CALLED = r"(\\?[A-Za-z]+)"
 _SAID = re.compile(rf"\s*{_CALLED}\s*\(\s*{_CALLED}\s*\)\s*(?==)")
-# Letters that are functions where they stand before brackets beside derivatives or integrals.
+# Letters that are taken for functions before brackets, beside derivatives or integrals.
 _UNKNOWN = (*"fghuvwyFGH",)
-# What a function is of where it stands before brackets only.
+# The argument of a function that stands only before brackets.
 _HIDDEN = sp.Dummy("x", real=True)
 _RUNNING = (*"xth",)
 

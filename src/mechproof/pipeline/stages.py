@@ -48,9 +48,9 @@ from mechproof.tools.extras import require_modules
 from mechproof.tools.made import Change, ForeignFileError, Made
 from mechproof.tools.processes import WorkerError, run_tasks, start_executor
 
-# The papers of this process by their places; one that was forked finds here what its parent had.
+# Papers of this process by their places; forked processes find those of their parent here.
 _papers: dict[Path, Paper] = {}
-# What a validation rests on besides the emitted source and the derivation.
+# Packages that a validation depends on, besides the emitted source and the derivation.
 LAYERS = (
     *("arguments", "kernel_support", "compiled_support", "record", "latex", "programs"),
     *("arithmetic", "sources", "statement_domains", "codegen", "proof", "roundoff", "lab"),
@@ -119,7 +119,7 @@ def _render(
     papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
     for paper in papers:
         read_derivatives_back(paper)
-    # Nobody else has all of our systems.
+    # Only the package itself has all of these systems.
     is_own = {paper.system for paper in papers} >= set(find_systems(packaged_directory()))
     return {
         **render_package(papers, is_own=is_own),
@@ -170,7 +170,7 @@ def measure(
                         known=known[subject.name],
                     )
                 yield write_record(record, target), headline(record)
-        # What a quick run writes is kept apart, and so is what lists it.
+        # Records of a quick run are kept apart, and so is the list of them.
         root = target if quick else generated
         lines = list_lines(read_records(target))
         with name_faults(ForeignFileError, OSError):
@@ -181,7 +181,7 @@ def measure(
     return run()
 
 
-# Seconds for a paper: a search for bounds that nobody knows yet may take an hour.
+# Time limit for a paper, in seconds: a search for bounds that are not known yet may take an hour.
 LONGEST = 6 * 3600.0
 
 
@@ -231,7 +231,7 @@ class ValidationError(RuntimeError):
     """A kernel does not compute what was emitted, or not within its accuracy bound."""
 
 
-# Subjects that a process has made, by the place of the derivation and the emitted files.
+# Subjects that this process has made, by the place of the derivation and of the emitted files.
 _made: dict[tuple[Path, Path], tuple[Subject, ...]] = {}
 
 

@@ -26,7 +26,7 @@ from mechproof.tools.cache import digest_files, note_reads
 from mechproof.tools.processes import START, WorkerError, run_batches
 
 R = TypeVar("R", Judgement, Row)
-# Seconds for a row; beyond, something hangs.
+# Time limit for a row, in seconds: beyond it something hangs.
 LIMIT = 600.0
 
 
@@ -34,7 +34,7 @@ class VerificationError(RuntimeError):
     """What was judged is inconsistent: a derivation changed meanwhile."""
 
 
-# What a process has opened; one that was forked finds here what its parent had.
+# Derivations that this process has opened; forked processes find those of their parent here.
 _opened: dict[Path, Opened] = {}
 
 
@@ -105,12 +105,12 @@ def judge_derivations(
         check_names(places, opened.paper.system, location)
         progress[location] = paper = _Progress(opened, whole, only_kernels, read)
         if opened.paper.print and not only_kernels:
-            # Here, where other processes judge meanwhile.
+            # Done here, while other processes judge.
             paper.rest = _check_rest(opened.paper, limit, report)
         return paper
 
     derivations = [location for location in locations if location.suffix not in SUFFIXES]
-    # The shortest first: the other processes have something to judge the sooner.
+    # The shortest first, so that the other processes soon have something to judge.
     loaders = [partial(load, one) for one in sorted(derivations, key=_count_bytes)]
     try:
         _fill(loaders, limit, processes, start, report)
@@ -127,7 +127,7 @@ def judge_derivations(
 
 
 def _count_bytes(location: Path) -> int:
-    """Return how long the sources of a derivation are; nothing for what is not there."""
+    """Return the size of a derivation's sources in bytes; 0 if there are none."""
     sources = location.rglob("*.py") if location.is_dir() else [location]
     return sum(source.stat().st_size for source in sources if source.is_file())
 
@@ -209,7 +209,7 @@ class _Progress:
     def __init__(
         self, opened: Opened, whole: LedgerCache | None, only_kernels: bool, read: Mapping[str, str]
     ) -> None:
-        """Take what is kept of its tasks, if ledgers are kept (`whole`)."""
+        """Take over the judgements that are kept, if ledgers are kept (`whole`)."""
         self.opened = opened
         self.whole = whole
         self.only_kernels = only_kernels
