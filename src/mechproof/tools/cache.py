@@ -27,16 +27,16 @@ from typing import Any
 from mechproof.tools.files import write_whole
 
 VARIABLE = "MECHPROOF_CACHE"
-# Keys without a value that a file holds; more are of old sources.
+# The most keys without a value that a file holds; older ones are of old sources.
 MOST_KEYS = 1000
 HERE = Path(__file__).resolve().parents[1]
 STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
-# Modules that are a library's or the package's, by name: there are thousands.
+# Modules of libraries or of the package, by name; kept, because there are thousands.
 _libraries: dict[str, ModuleType] = {}
-# What modules of the package and of derivations are called.
+# Prefixes of the names of modules of the package and of derivations.
 OWN = ("mechproof", "_mechproof")
-# Papers and what is generated from them: of no paper but their own.
+# Folders of papers and of what is generated from them, which concern no other paper.
 PAPERS = ("derivations", "kernels")
 _noted: set[str] | None = None
 
@@ -96,7 +96,7 @@ class Store:
         try:
             write_whole(self.file, json.dumps(entries))
         except OSError as error:
-            # Told from here, so that it is told once for all that cannot be kept.
+            # The warning is raised from this one place, so that all failures show it only once.
             said = f"nothing is kept in {cache_folder()}: {error.strerror}"
             warnings.warn(said, RuntimeWarning, stacklevel=1)
 
@@ -110,7 +110,7 @@ def _note(event: str, arguments: tuple[object, ...]) -> None:
         _noted.add(os.fsdecode(arguments[0]))
 
 
-# It cannot be taken away again; while nothing is noted it does nothing.
+# An audit hook cannot be removed; while nothing is noted it does nothing.
 sys.addaudithook(_note)
 
 
@@ -137,9 +137,9 @@ def _find_source(name: str) -> Path:
 
 
 def _find_helpers() -> set[Path]:
-    """Return the files of loaded modules that are neither a library's nor the package's.
+    """Return the files of loaded modules that belong neither to a library nor to the package.
 
-    A derivation may use them without opening them, where another one did before.
+    A derivation may use them without opening them, where another one did so before.
     """
     others = {n: m for n, m in list(sys.modules.items()) if _libraries.get(n) is not m}
     files = {name: getattr(module, "__file__", None) for name, module in others.items()}
@@ -155,13 +155,13 @@ def _is_own(file: Path) -> bool:
 
 
 def _is_library(name: str) -> bool:
-    """Say whether a file changes with the version of what is installed only."""
+    """Say whether a file changes only with the version of what is installed."""
     file = Path(name)
     return file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
 
 
 def digest_files(paths: Iterable[Path]) -> dict[str, str]:
-    """Return path -> digest of what is there; of what is not, an empty one."""
+    """Return the digest of each file by its path; an empty one if it is not there."""
     return {str(path): _digest(path) for path in sorted(paths)}
 
 

@@ -12,7 +12,7 @@ from types import ModuleType
 def write_whole(target: Path, text: str) -> None:
     """Write a file and the folders above it; an interrupted write leaves the old file.
 
-    What is there and is no file, as a pipe or a terminal, is written to and not replaced.
+    Anything else that is there, such as a pipe or a terminal, is written to and not replaced.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
     if target.exists() and not target.is_file():

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path, PurePosixPath
 
-# What is being written lies here until it is put in place.
+# Folder for files that are being written, until they are put in place.
 STAGED = ".mechproof-staged"
 _LINE = re.compile("([0-9a-f]{64})  (.+)")
 
@@ -82,7 +82,7 @@ class Made:
         if present == wanted:
             return None
         digest = sha256(content or b"").hexdigest()
-        # There is nothing to lose of what is empty.
+        # An empty file holds nothing that could be lost.
         is_own = (digest, name) in known or name == self.listed or not (content or b"").strip()
         return Change(name, present, wanted, is_own) if wanted is not None or is_own else None
 

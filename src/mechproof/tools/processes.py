@@ -24,12 +24,12 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar
 
-# What is loaded before a fork need not be loaded again; elsewhere a fork is not safe.
+# A forked process has what is loaded before; elsewhere than on Linux a fork is not safe.
 START = "fork" if sys.platform == "linux" else "spawn"
 _SET_PARENT_DEATH_SIGNAL = 1
-# What asks a process to end, where the system has it.
+# Signals that ask a process to end, where the system has them.
 ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-# Tasks that a process gets at once while further ones are being made.
+# Number of tasks that a process gets at once while further ones are being made.
 AHEAD = 128
 
 Task = TypeVar("Task")
@@ -200,7 +200,7 @@ class _Pool(Generic[Task, Result]):
 
     def _wait(self, seconds: float | None) -> list[_Worker[Task, Result]]:
         """Return the processes that have answered; if none does in time, those that are late."""
-        # One without a task, because another that was started has it, has nothing to answer.
+        # A process may be without a task, because another one has it: it has nothing to answer.
         busy = [worker for worker in self.workers if worker.has]
         first = min((worker.deadline for worker in busy), default=0.0)
         until_late = max(0.0, first - time.monotonic())
@@ -236,7 +236,7 @@ def _serve(function: Callable[[Task], Result], pipe: Connection) -> None:
     """Answer tasks until the parent ends this process, or is ended itself."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     end_with_parent()
-    # What a fork shares with its parent stays shared as long as nobody looks for garbage in it.
+    # Memory shared with the parent stays shared only while the garbage collector leaves it alone.
     gc.freeze()
     while True:
         pipe.send(_answer(function, pipe.recv()))
@@ -249,7 +249,7 @@ def end_with_parent() -> None:
     without Python; there Linux ends the process.
     """
     for number in ENDING:
-        # What the parent tidies up is not this process's.
+        # Handlers with which the parent tidies up are not for this process.
         if callable(signal.getsignal(number)):
             signal.signal(number, signal.SIG_DFL)
     if sys.platform == "linux":
@@ -293,7 +293,7 @@ def limit_time(seconds: float) -> Iterator[None]:
     if threading.current_thread() is not main:
         yield
         return
-    # Where the user's interrupts are ignored, as in the background, this one is not.
+    # Interrupts by the user may be ignored, as in the background; that of the timer must not be.
     before = signal.signal(signal.SIGINT, interrupt)
     timer = threading.Timer(seconds, stop)
     timer.start()
