@@ -11,12 +11,12 @@ from mechproof.latex.sentences import is_sentence, walk_outside
 from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.verdict import Verdict
 
-# What formulas are marked with on a page; what stays within what is changed is neither.
+# Styles that mark changes in formulas on a page; what stays within a change is grey.
 KEPT = r"{{\color{{gray}}{{{}}}}}".format
 TAKEN = Style(r"{{\color{{red}}{{{}}}}}".format, KEPT)
 PUT = Style(r"{{\color{{green}}{{{}}}}}".format, KEPT)
 EQUALS = re.compile("=")
-# Of these nothing printed is called wrong, so that nothing is called right instead.
+# Verdicts that do not call anything printed wrong, so that nothing is called right instead.
 OPEN = (Verdict.NOT_CHECKABLE, Verdict.UNDERDETERMINED)
 
 

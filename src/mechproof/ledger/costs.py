@@ -16,7 +16,7 @@ from mechproof.proof.witness_text import show_plainly
 
 @dataclass(frozen=True)
 class LedgerCost:
-    """What a fault makes at one place: values by their names, in the unit; all as text."""
+    """The cost of a fault at one place: values by their names, in the unit; all as text."""
 
     where: str
     values: Mapping[str, str]
@@ -34,7 +34,7 @@ class LedgerCost:
 
 
 def _lead(name: str) -> str:
-    """Return a name before its value; what ends in a letter, a number or a sign has a colon."""
+    """Return a name as it stands before a value: with a colon after a letter, number or sign."""
     return f"{name}:" if re.search(r"[^a-z]$|(?<![a-z])[a-z]$", name) else name
 
 

@@ -22,7 +22,7 @@ from mechproof.tools.notebook import Displayed
 # The `$id` of ledger.schema.json, which lies beside this module.
 SCHEMA = "urn:mechproof:ledger:1"
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
-# Rows are counted by what they are, never added up.
+# Rows are counted by class; the counts are never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
 KERNELS = "our rows on kernels"
@@ -33,7 +33,7 @@ SECTIONS = (
     "consequences",
     "what its kernels rest on, and what their source computes",
 )
-# What means something in Markdown, and how it is written as itself.
+# Characters with a meaning in Markdown, and how they are escaped.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
 AT_HAND = """“The text at hand”, or “the transcription”, is what was read of a paper: without its
 figures and its list of references, and with what a scan has lost. What is not in it may stand in
@@ -123,7 +123,8 @@ def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
 def _count(judgements: Sequence[Judgement]) -> str:
     counted = Counter(j.verdict for j in judgements)
     proved = [j for j in judgements if j.verdict is Verdict.PROVED]
-    # Of one source with what it is compared with, or a print that was rebuilt: said apart.
+    # Proved rows that come from the source they are compared with, or from a restored print, are
+    # told apart.
     kinds = {
         "identical": sum(j.rung == IDENTICAL for j in proved),
         REBUILT: sum(REBUILT in j.marks for j in proved),
@@ -209,7 +210,7 @@ def _heading(ledger: Ledger) -> str:
 
 
 def _sort_rows(judgements: Sequence[Judgement]) -> dict[str, list[Judgement]]:
-    """Sort the rows of a paper into what each is about, those that there are."""
+    """Sort the rows of a paper into its sections, leaving empty ones out."""
     sorted_rows: dict[str, list[Judgement]] = {title: [] for title in SECTIONS}
     for row in judgements:
         place = 2 if classify(row) == KERNELS else 1 if "consequence" in row.marks else 0

@@ -34,7 +34,7 @@ from mechproof.sources.located_text import Place
 from mechproof.statement_domains.domain import Domain
 
 WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
-# What a value in radians, millimetres or parts of one is multiplied with.
+# Factors that turn a value in radians, millimetres or parts of one into each unit.
 UNITS: Mapping[str, sp.Expr] = {
     "": sp.S.One,
     "°": 180 / sp.pi,
@@ -44,7 +44,7 @@ UNITS: Mapping[str, sp.Expr] = {
     "%": sp.Integer(100),
 }
 PRINTED_AND_RIGHT = ("printed", "right")
-# A convention is true in some sense: only the literal reading of the print has that value.
+# A convention is true in some sense: only the literal reading of the print gives the first value.
 READ_AND_RIGHT = ("read literally", "right")
 _BITS = 60
 
@@ -273,9 +273,9 @@ def _insert_correction(row: Row, root: Row, follower: FollowingRow) -> Row:
 
 
 def _corrections(root: Row, follower: FollowingRow) -> Mapping[sp.Basic, sp.Basic]:
-    """Pair what the print of a cause has with what its correction has in the same place.
+    """Pair parts of a cause's print with the parts of its correction in the same places.
 
-    Of a correction that says more than one thing it is the first that replaces the print.
+    If the correction says more than one thing, the first of these replaces the print.
     """
     if root.corrected is None:
         raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
@@ -308,9 +308,9 @@ def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
 def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
     if isinstance(part, sp.Basic):
         if part in pairs:
-            # A matrix as a whole, of which SymPy replaces elements only.
+            # Replaced as a whole: of a matrix SymPy would only replace elements.
             return pairs[part]
-        # Not the same node: a product within a product is one with its factors.
+        # Not by comparing nodes: a product within a product is merged with its factors.
         return part.subs(pairs, simultaneous=True)
     if isinstance(part, tuple):
         return tuple(_replace_in(item, pairs) for item in part)

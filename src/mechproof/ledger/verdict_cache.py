@@ -28,7 +28,8 @@ from mechproof.record import Paper
 from mechproof.sources.located_text import Place
 from mechproof.tools.cache import Store, cache_folder, make_key, name_place
 
-# Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
+# The rung of a row that no rung could read: the reason may be this machine's (memory, depth of
+# recursion).
 UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
 # Fields of a judgement that are lists of texts.
@@ -125,7 +126,7 @@ class Fingerprint:
         Raises `NoFingerprintError` for anything else.
         """
         if id(part) not in self._known:
-            # The part is kept with its key: its id is its own only while it lives.
+            # The part is kept with its key, because its id is unique only while it lives.
             self._known[id(part)] = (part, _digest(*self._encode(part)))
         return self._known[id(part)][1]
 
@@ -179,7 +180,7 @@ def _digest(*texts: str) -> str:
 
 
 _PLAIN = (int, float, str, type(None), Fraction)
-# Tried in this order: a dummy is a node.
+# Tried in this order: a dummy is also a node.
 _ENCODERS: tuple[tuple[type, Callable[[Fingerprint, Any], tuple[str, ...]]], ...] = (
     (sp.Dummy, Fingerprint._number),
     (sp.MatrixBase, Fingerprint._entries),
