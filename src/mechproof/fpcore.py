@@ -23,7 +23,7 @@ from mechproof.roundoff.steps import CONSTANT, StraightLineProgram, make_step, n
 _TOKEN = re.compile(r'(?P<skip>\s+|;[^\n]*)|(?P<text>"(?:[^"\\]|\\.)*")|(?P<mark>[()\[\]])'
                     r'|(?P<atom>[^\s()\[\];"]+)')  # fmt: skip
 _CLOSING = {"(": ")", "[": "]"}
-# Deeper than any formula, and below what Python's own stack holds.
+# Depth of brackets: more than any formula has, and less than Python's own stack allows.
 DEEPEST = 150
 
 
@@ -114,14 +114,14 @@ def _count_operands(row: Kind) -> int:
     return len(signature(row.meaning).parameters) - 1 if row.meaning else 1
 
 
-# The operations of FPCore by the number of their operands, and what they are called here.
+# The operations of FPCore by name and number of operands, and their kinds here.
 OPERATIONS: Mapping[tuple[str, int], str] = MappingProxyType(
     {(row.fpcore, _count_operands(row)): kind for kind, row in KINDS.items() if row.fpcore}
 )
 CONSTANTS: Mapping[str, str] = MappingProxyType({"PI": "#pi", "E": "#e"})
 _FORMATS: Mapping[str, str] = MappingProxyType({":precision": "binary64", ":round": "nearestEven"})
 _LETS = ("let", "let*")
-# What is the smaller side; ends that are left out are no matter to a bound.
+# Whether the first side is the smaller one; strict or not makes no difference to a bound.
 _SMALLER_FIRST = {"<": True, "<=": True, ">": False, ">=": False}
 
 
@@ -319,7 +319,7 @@ class _Writer:
         return self._find(node.parts[2], inside)
 
     def _add(self, kind: str, *operands: Operand) -> Operand:
-        # Spaces are in no name of FPCore.
+        # No name in FPCore has a space.
         result = f"step {len(self._operations) + 1}"
         self._operations.append(Operation(result, kind, operands))
         return result

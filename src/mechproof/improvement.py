@@ -37,13 +37,13 @@ from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import flatten_stage
 from mechproof.tools.processes import WorkerError, run_tasks
 
-# Of each set of points such a part is drawn, and no more than so many are compared.
+# Share of each set of points that is drawn, and the most points of it that are compared.
 SHARE, MOST = 0.1, 24
 # A double has no more digits to lose.
 ALL_DIGITS = 16
-# So many of the best candidates are tried to be proved.
+# Number of the best candidates for which a proof is tried.
 TRIED = 4
-# The level of a form that loses less than a digit, and less than a bit on average.
+# Level of a form that loses less than a digit at worst, and less than a bit on average.
 NOTHING = (0, 0)
 
 
@@ -135,11 +135,11 @@ def can_be_searched(quantity: Quantity) -> bool:
     return bool(quantity.forms) and not quantity.has_families
 
 
-# So many candidates are kept after each rewrite.
+# Number of candidates that are kept after each rewrite.
 KEPT = 8
 # Rewrites that save no digits: they are for speed, or for float32.
 FOR_SPEED = ("clenshaw", "in_single")
-# Why a rewrite does not fit: what it needs is not there, or has no operation.
+# Errors of a rewrite that does not fit: something that it needs is missing, or has no operation.
 UNFIT = (ValueError, NotImplementedError)
 
 Found = tuple[Loss, Candidate]

@@ -77,7 +77,7 @@ def _fill(step: Step, names: Mapping[str, str]) -> str:
 def _round(step: Step, text: str) -> str:
     if step.ulps == EXACT:
         return text
-    # The error in half ulps.
+    # FPTaylor takes the error as a multiple of half an ulp.
     return f"rnd[64, ne, {step.ulps / HALF:g}]({text})"
 
 

@@ -20,7 +20,7 @@ from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, Step
 
 COMMAND = "gappa"
-# Into how many parts all sides together are cut.
+# The number of parts into which the sides of the box are cut, all together.
 PARTS = 256
 _WRITTEN = frozenset({CONSTANT, *(kind for kind, row in KINDS.items() if row.gappa)})
 _FOUND = re.compile(r" in \[(?:0|[^,\]]*), ([0-9]+)(?:b(-?[0-9]+))?[^\]]*\]")
