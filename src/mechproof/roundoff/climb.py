@@ -99,7 +99,7 @@ def _weigh(measure: Measure, points: Points) -> Population:
 
 
 def gather(one: Population, other: Population, most: int) -> Population:
-    """Put two crowds together and keep the worst."""
+    """Join two populations and keep the worst points."""
     pairs = zip(one.points, other.points, strict=True)
     heights = np.concatenate([one.heights, other.heights])
     tried = one.tried + other.tried
@@ -119,7 +119,7 @@ def _select(population: Population, most: int) -> Population:
 
 
 def _choose(kept: Column, one: Column, other: Column) -> Column:
-    """Take rows of one where they are kept, and else of the other."""
+    """Take rows of one column where they are to be kept, and of the other elsewhere."""
     return np.where(_reshape(kept, one), one, other)
 
 

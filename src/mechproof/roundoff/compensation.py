@@ -76,8 +76,8 @@ def _is_still(
             for operand in step.operands
         ]
         if step.result in products:
-            # Other products are doubles as they stand here: their roundings have turns of their
-            # own.
+            # Other products are taken as the doubles that they are; each has its own turn in this
+            # check.
             values[step.result] = (sp.Symbol(f"rounded {step.result}"), sp.S.Zero)
         else:
             values[step.result] = _differentiate(step, given)
@@ -87,7 +87,7 @@ def _is_still(
 
 
 def _differentiate(step: Step, given: list[Pair]) -> Pair:
-    """Return value and derivative; those of functions are symbols, their derivatives rational."""
+    """Return value and derivative; functions are symbols with rational derivatives."""
     meaning, arguments, slopes = _find_slopes(step.kind, len(given))
     places = dict(zip(arguments, (value for value, _ in given), strict=True))
     moving = zip(slopes, (slope for _, slope in given), strict=True)

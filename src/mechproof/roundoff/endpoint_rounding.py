@@ -75,7 +75,7 @@ def are_doubles(grid: Grid, results: Interval) -> Mask:
 
 @dataclass(frozen=True)
 class RoundedEndpoints:
-    """Rounded results, and by how much what is rounded may lie farther out than both ends."""
+    """Rounded results, and how far an unrounded one may lie outside of both ends."""
 
     span: Interval
     beyond: Ends
@@ -172,7 +172,7 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
 
 
 def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
-    """Bound a rounding by so many spacings of doubles at the largest result."""
+    """Bound a rounding by `ulps` spacings of doubles at the largest result."""
     largest = rounded.span.largest()
     share, exponent = np.frexp(largest)
     # A power of two is a double: a result hardly beyond it is off by less than those below it are.
@@ -182,7 +182,7 @@ def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
 
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:
-    """Enclose what is off by so many ulps."""
+    """Enclose numbers that are off by `ulps` ulps from those in an interval."""
     # An ulp is at most EPS of its number; twice that covers the rounding of the ends.
     share = 2 * ulps * EPS
     return Interval(span.low - np.abs(span.low) * share, span.high + np.abs(span.high) * share)

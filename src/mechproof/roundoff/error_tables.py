@@ -41,7 +41,7 @@ class ErrorTable:
         return self.unreduced is not None
 
     def of_angle(self, angle: Interval, reduced: Interval) -> Ends:
-        """Return the bound for angles, the same less whole turns beside them."""
+        """Return the bound for angles, given also as they are less whole turns."""
         assert self.unreduced is not None
         least, most = _fold(reduced)
         usual = self._find(self.highest, least, most)

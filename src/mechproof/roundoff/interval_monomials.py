@@ -134,7 +134,7 @@ class BoxVariables:
     def name(
         self, function: Function, argument: IntervalMonomial, value: Interval
     ) -> IntervalMonomial:
-        """Return a function's value; one next to zero is a variable, the same for all who ask.
+        """Return a function's value; one near zero becomes a variable, the same for all who ask.
 
         So it cancels where it is divided by itself.
         """
@@ -179,7 +179,7 @@ class IntervalMonomial:
 
     @property
     def _is_zero(self) -> bool:
-        """Say whether it is nothing, whatever vanishes with it."""
+        """Say whether the monomial is zero, whatever its powers are."""
         return not (np.any(self.span.low) or np.any(self.span.high))
 
     def __sub__(self, other: IntervalMonomial) -> IntervalMonomial:
@@ -245,14 +245,14 @@ class IntervalMonomial:
         return (1, -1, 0)[self.variables.choose(above, below & ~above, ~(above | below))]
 
     def size(self) -> IntervalMonomial:
-        """Return the absolute value, of which even powers of what may be negative are kept."""
+        """Return the absolute value, keeping even powers of variables that may be negative."""
         kept = self.variables.intern(self.variables.keep_positive(self.powers))
         return IntervalMonomial(self.variables, self._over(kept).size(), kept)
 
     def extreme(
         self, other: IntervalMonomial, choose: Callable[[Ends, Ends], Ends]
     ) -> IntervalMonomial:
-        """Return the larger or the smaller of two values, by what chooses so of their ends."""
+        """Return the larger or the smaller of two values; `choose` does so for their ends."""
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         if not self.variables.is_positive(common):
             common = self.variables.none
@@ -273,7 +273,7 @@ class IntervalMonomial:
 
 
 def split_cases(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -> Array:
-    """Return the bounds of so many boxes, computed for rows of them and first decisions."""
+    """Return the bounds of `count` boxes, computed for rows of them and their first decisions."""
     bounds = np.full(count, np.inf)
     waiting: list[tuple[Rows, tuple[int, ...]]] = [(np.arange(count), ())]
     while waiting:

@@ -32,7 +32,7 @@ MORE = 1 + 2.0**-20
 
 @dataclass(frozen=True)
 class ReductionError:
-    """How far off what is left is, in eps of itself, besides half an ulp of its rounding."""
+    """How far off a reduced angle is, in eps of itself, besides half an ulp of its rounding."""
 
     far: float
     near: float

@@ -286,7 +286,7 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
 
 @cache
 def _draw(symbol: sp.Basic) -> sp.Dummy:
-    """Return what stands for the value of an argument, the same in all charts."""
+    """Return the symbol that stands for the value of an argument, the same in all charts."""
     return sp.Dummy(str(symbol))
 
 

@@ -46,11 +46,11 @@ class Whole:
         return Whole(self.each * Fraction(factor), self.count * Fraction(factor))
 
     def plus(self, more: float) -> Whole:
-        """Return the number and so many."""
+        """Return the number with a summand added to its count."""
         return replace(self, count=self.count + Fraction(more))
 
     def rounded(self, to: Callable[[Fraction], int]) -> Whole:
-        """Round to a whole number; an even number for each turn keeps what a half is rounded to."""
+        """Round to a whole number; an even `each` rounds ties alike, whatever the turns."""
         if self.each.denominator != 1 or (to is round and self.each % 2):
             raise ValueError(f"{self.each} for each turn decides what rounding does")
         return replace(self, count=Fraction(to(self.count)))
@@ -58,7 +58,7 @@ class Whole:
 
 @dataclass(frozen=True)
 class Case:
-    """What a program decides: the number of quarter turns, whether one size is the larger.
+    """What a program decides on: the number of quarter turns, whether one size is the larger.
 
     Also whether the second argument is negative. No larger size is zero.
     """

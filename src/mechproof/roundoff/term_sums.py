@@ -128,7 +128,7 @@ def run_loop(loop: TermLoop, arithmetic: Arithmetic, rest: Callable[..., Any], *
 def take_sum(
     kernel: Kernel, expansions: Mapping[str, Expansion], *, keeps_rests: bool
 ) -> tuple[TermSum, Kernel, Mapping[str, Expansion]]:
-    """Return the sum of a kernel, the kernel of it, and expansions with what it is off by.
+    """Return the sum in a kernel, the kernel of a number in its place, and how far that is off.
 
     Raises ValueError for any other sums than one of terms that are never negative, and for a value
     that is no power of it and a factor.
