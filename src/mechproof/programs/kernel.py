@@ -269,7 +269,7 @@ def _list_masked(quantity: Quantity, conditions: Iterable[sp.Basic]) -> list[sp.
 
 
 def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluation:
-    """Let every output be NaN where a number that it depends on is, and outside the domain.
+    """Make every output NaN where a number that it depends on is NaN, and outside the domain.
 
     Where one of the masked parameters is NaN, all of them become NaN.
     """

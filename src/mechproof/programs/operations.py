@@ -179,7 +179,7 @@ def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., 
 
 
 def _near_one(name: str, meaning: Callable[..., Any]) -> Kind:
-    """Return a function of the libraries that keeps what cancels in its meaning."""
+    """Return a library function that keeps the digits which cancel in its meaning."""
     return Kind(name, LIBRARY, None, meaning, f"_np.{name}", f"_math.{name}", name, head=name,
                 octave=name, javascript=f"Math.{name}")  # fmt: skip
 

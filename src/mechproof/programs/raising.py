@@ -90,7 +90,7 @@ class WrittenForm:
 
 
 class _Axes:
-    """What the axes of arrays are in mathematics: the indices of the quantity's own sums."""
+    """The axes of arrays as indices of the quantity's own sums."""
 
     kinds = ("sum", *VIEWS)
 

@@ -128,7 +128,7 @@ class Tape:
         return self.value(result)
 
     def assign(self, target: str | tuple[str, ...], value: Any) -> Any:
-        """Give the last result its name, or several; what is no new result is copied."""
+        """Name the last result, or several; a value that is not a new result is copied."""
         kind: str = "copy"
         operands: tuple[Operand, ...] = (show(value),)
         last = self.operations[-1] if self.operations else None
@@ -139,7 +139,7 @@ class Tape:
         return self.value(target) if isinstance(target, str) else self.values(target)
 
     def decide(self, condition: Value) -> bool:
-        """Answer whether a value is true: what is next to be answered, first that it is."""
+        """Answer whether a value is true: with the next known answer, or first with yes."""
         answer = next(self._known, None)
         if answer is None:
             self._answers.append(answer := True)

@@ -37,8 +37,7 @@ from mechproof.programs.trace import (
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
-# Rounding of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its
-# own.
+# Rounding of a term of a sum that keeps its rests, in eps: six of the factors, and its own.
 ROUNDED = 4
 
 
