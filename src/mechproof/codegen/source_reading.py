@@ -151,7 +151,7 @@ class Module:
 
 
 def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
-    """Return the functions of a module by their names, and what it does itself by an empty one.
+    """Return the functions of a module by their names, and under "" what the module itself does.
 
     Raises `SourceError` with the line for what no kernel has.
     """

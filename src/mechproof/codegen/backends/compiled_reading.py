@@ -197,7 +197,7 @@ def _index(
 
 
 def _enter(on: Tape, text: ScalarKernel, *given: Value) -> Value:
-    """Do what the function does that callers see: plain numbers and rows are taken at once."""
+    """Do what the function that callers see does: plain numbers and rows go the short way."""
     *values, out = given
     first, *others = values
     loops, is_float = on.value(f"_loops_of_{text.name}"), "float"

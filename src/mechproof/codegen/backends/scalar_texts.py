@@ -60,10 +60,10 @@ class LoopCall:
 
 @dataclass(frozen=True)
 class ScalarKernel:
-    """What is printed of a kernel; `checked` are the components that the domain is about.
+    """What is printed of a kernel; `checked` are the components that its domain restricts.
 
-    `members` are kernels that this one calls, each for a result of its own, `loops` what is found
-    of terms before it is called.
+    `members` are kernels that this one calls, each for a result of its own, `loops` are the loops
+    over terms whose values it is given.
     """
 
     name: str
