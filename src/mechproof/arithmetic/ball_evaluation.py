@@ -135,7 +135,7 @@ def _repeat(node: sp.Basic) -> Plan:
 
 
 def _as_integer(ball: Ball) -> int | None:
-    """Return the integer that a limit is; papers do not agree on what a sum to another one is."""
+    """Return a limit as an integer; papers do not agree on what sums to other limits are."""
     integer = ball.unique_fmpz() if ball.is_finite() and ball.is_exact() else None
     return None if integer is None else int(integer)
 

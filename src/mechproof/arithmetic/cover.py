@@ -218,7 +218,7 @@ def as_box(box: Boxes) -> Box:
 
 @dataclass(frozen=True)
 class Largest:
-    """What a bound is at most over a box, what it reaches somewhere, and parts where it is high.
+    """The largest that a bound can be over a box, what it reaches, and parts where it is high.
 
     `open` is a part where the bound is not finite, and cannot be made so by dividing it.
     """

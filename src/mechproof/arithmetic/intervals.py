@@ -103,7 +103,7 @@ class Interval:
         return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
 
     def intersection(self, other: Interval) -> Interval:
-        """Return what is in both; where one is not finite the other."""
+        """Return the numbers in both intervals; where one is not finite, the other."""
         one, two = self.is_finite, other.is_finite
         return Interval(
             np.where(
@@ -173,7 +173,7 @@ _mode = {"moves": False}
 
 @contextmanager
 def careful(*, moves: bool) -> Iterator[None]:
-    """Raise FloatingPointError for what is too small; `moves` widens ends that lead there."""
+    """Raise FloatingPointError for numbers that are too small; `moves` widens such ends instead."""
     before = _mode["moves"]
     _mode["moves"] = moves
     try:

@@ -57,7 +57,7 @@ class Layout:
         return results
 
     def settle(self, values: Values, keep: Callable[[Any], Any] = lambda value: value) -> None:
-        """Compute once what needs no other symbols than these; `keep` is what is kept of it."""
+        """Compute once the steps that need no other symbols; `keep` makes of each what is kept."""
         left = []
         for slot, operation, operands in self._steps:
             if self.needs[slot] <= values.keys():

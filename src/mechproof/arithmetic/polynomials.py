@@ -36,7 +36,7 @@ def expand(polynomial: sp.Expr) -> sp.Expr:
     try:
         return reduce_polynomial(polynomial, {})
     except sp.PolynomialError:
-        # It has other numbers than the rationals.
+        # The polynomial has other numbers than the rationals.
         return sp.expand(polynomial)
 
 
@@ -65,7 +65,7 @@ def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]
     try:
         number, factors = _factor_product(above)
     except sp.PolynomialError:
-        # It has roots, say, or other numbers than the rationals.
+        # The polynomial has roots, say, or other numbers than the rationals.
         constant, others = sp.factor_list(polynomial)
         return constant, others
     if not below.is_Rational:
@@ -94,7 +94,7 @@ def _to_count(power: sp.Expr) -> int:
 
 
 def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
-    """Factor what is no product; the factors' leading coefficients are positive."""
+    """Factor an expression that is no product; the factors' leading coefficients are positive."""
     ring = _Ring(base, functions=True)
     value = ring.read(base)
     number, factors = value.factor()
@@ -125,7 +125,7 @@ def cancel(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     try:
         above, below = ring.read_quotient(quotient)
     except sp.PolynomialError:
-        # It has roots, say.
+        # The quotient has roots, say.
         above, below = sp.fraction(sp.cancel(quotient))
         return above, below
     if below.is_zero():
@@ -178,7 +178,7 @@ def _split_by_sympy(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 class _Ring:
-    """The polynomials in the symbols of expressions, and in pi, of which none with it is zero."""
+    """The polynomials in the symbols of expressions, and in pi, which is no root of any."""
 
     def __init__(
         self,

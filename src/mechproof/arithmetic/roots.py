@@ -79,7 +79,7 @@ class Bracketed:
         )
 
     def of(self, place: Ball) -> Ball:
-        """Enclose what is to be zero at a distance."""
+        """Enclose the expression, whose root is sought, at a distance."""
         return self._at(self._frame.of, place)
 
     def slope(self, place: Ball) -> Ball:
@@ -94,7 +94,7 @@ class Bracketed:
         return self._evaluate(expression, {**self._values, self._frame.distance: place})
 
     def changes_sign(self) -> bool:
-        """Say whether what is to be zero is not of one sign at both ends, where it may be zero."""
+        """Say whether the expression does not have one sign at both ends, where it may be zero."""
         first, last = self.of(arb(0)), self.of(self.width)
         return bool((first <= 0 and last >= 0) or (first >= 0 and last <= 0))
 

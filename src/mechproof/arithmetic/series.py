@@ -137,7 +137,7 @@ class TaylorExpression:
 
 
 def _lengthen(value: Any) -> Any:
-    """Return a number as a series of any length; what is decided as it is."""
+    """Return a number as a series of any length; leave a decided truth value as it is."""
     if not isinstance(value, arb_series):
         return value
     with working(1):
