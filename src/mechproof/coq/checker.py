@@ -63,7 +63,7 @@ def check_files(
     *,
     limit: float = LIMIT,
 ) -> Mapping[str, str]:
-    """Have Coq check files of a folder; return of each what is wrong, nothing if it is accepted.
+    """Have Coq check files of a folder; return what is wrong with each, empty if it is accepted.
 
     Raises `CheckerError` where Coq is not installed or refuses what all of them require.
     """
@@ -115,7 +115,7 @@ def _find_beyond(folder: Path, names: Sequence[str]) -> str:
 
 
 def _run(folder: Path, name: str, limit: float) -> tuple[str, str]:
-    """Return what is wrong with a file, nothing if Coq accepts it, and what Coq printed."""
+    """Return what is wrong with a file, empty if Coq accepts it, and what Coq printed."""
     limited = f'ulimit -t {limit:.0f}; exec coqc -q -w none "$0"'
     done = subprocess.run(
         ["sh", "-c", limited, name], cwd=folder, capture_output=True, text=True, check=False

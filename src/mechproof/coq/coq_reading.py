@@ -188,7 +188,7 @@ class _Parser:
         return relate(left, self.sum(), evaluate=False)
 
     def derivative(self) -> sp.Basic:
-        """Read that a function has a derivative where its own letter is: the same one outside."""
+        """Read the statement that a function has a derivative, at its own letter, and which."""
         self.take("is_derive")
         letter, body = self.function("R")
         place, slope = self.atom(), self.atom()

@@ -103,7 +103,7 @@ class EstablishedFacts:
         return f"first [ ring{by} | field{by}; {conditions} | {simplified} ]"
 
     def _take_turns_off(self, whole: sp.Basic, rests: list[sp.Basic]) -> sp.Basic:
-        """Write sines and cosines of angles beyond whole turns by those of the rest.
+        """Write sines and cosines of angles with whole turns by those of the remaining angles.
 
         These are listed as `rests`.
         """

@@ -109,7 +109,7 @@ class RowScript:
 
     @property
     def digest(self) -> str:
-        """Return the SHA-256 of the text and what it requires, or nothing where there is none."""
+        """Return the SHA-256 of the text and what it requires; empty where there is none."""
         return digest_required(self.text) if self.text else ""
 
 
@@ -307,7 +307,7 @@ def write_page(coverage: Coverage) -> str:
 
 
 def _tabulate(name: str, kinds: Sequence[Sequence[str]], coverage: Coverage) -> str:
-    """Count what is accepted and withheld of each kind; a row may be of several."""
+    """Count the certified and the withheld rows of each kind; a row may be of several kinds."""
     counted: dict[str, Counter[str]] = {}
     for kinds_of, c in zip(kinds, coverage.certificates, strict=True):
         said = ["withheld"] if coverage.explain(c) else ["certified", *["alike"] * c.is_alike]

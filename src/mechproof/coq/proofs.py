@@ -114,7 +114,7 @@ def _compare(facts: EstablishedFacts) -> str:
 
 
 def _scale_vectors(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
-    """Write the angle of a vector as that of one on the other side of which it is a multiple."""
+    """Write the angle of a vector as that of a multiple of it on the other side."""
     left, right = (find_parts(side, sp.atan2) for side in theorem.conclusion.args)
     pairs = product(*(sorted(vectors, key=sp.default_sort_key) for vectors in (left, right)))
     for number, (vector, other) in enumerate(pairs, start=1):

@@ -192,7 +192,7 @@ def _combine(
 
 
 def turn_positive(factor: sp.Expr, witness: Point) -> sp.Expr:
-    """Return an expression or its opposite, that which is not negative at the witness."""
+    """Return the expression, or its opposite if it is negative at the witness."""
     return -factor if balls.truth(sp.Lt(factor, 0, evaluate=False), witness, BITS) else factor
 
 
@@ -241,7 +241,7 @@ def _turn(positive: sp.Expr, witness: Point, names: Names) -> Iterator[str]:
 
 
 def _list_turned(expression: sp.Expr) -> list[sp.Expr]:
-    """List the angles of sines, by whose squares those of cosines are known."""
+    """List the angles of sines, whose squares determine those of cosines."""
     angles = {sine.args[0] for sine in find_parts(expression, sp.sin)}
     return sorted(angles, key=sp.default_sort_key)
 

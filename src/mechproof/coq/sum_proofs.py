@@ -48,7 +48,7 @@ class _Closed:
 
 
 class SumProof:
-    """The proof of an equality with sums: a `plain` theorem without any, and what leads to it."""
+    """The proof of an equality with sums: a `plain` theorem without sums, and the way to it."""
 
     def __init__(self, theorem: Theorem) -> None:
         if not isinstance(theorem.conclusion, sp.Eq):
@@ -282,7 +282,7 @@ def _take_sign(factor: sp.Expr) -> sp.KroneckerDelta | None:
 
 
 def _put(node: sp.Basic, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
-    """Put values for parts, and leave all else as it stands: roots keep what is under them."""
+    """Replace parts by values, and leave all else as it is: roots keep what is under them."""
     if node in values:
         return values[node]
     parts = [_put(part, values) for part in node.args]

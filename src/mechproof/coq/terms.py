@@ -112,7 +112,7 @@ def list_integrals(expression: sp.Basic) -> list[sp.Integral]:
 
 
 def _list_outside(expression: sp.Basic) -> list[sp.Basic]:
-    """List the parts of an expression from below, each once, of integrals the limits alone."""
+    """List the parts of an expression, inner ones first, each once; of integrals only limits."""
     found: dict[sp.Basic, None] = {}
 
     def visit(node: sp.Basic) -> None:
@@ -296,7 +296,7 @@ def write_binders(symbols: Iterable[sp.Basic], names: Names, *expressions: sp.Ba
 
 
 def write_value(symbol: sp.Basic, value: sp.Basic, names: Names) -> str:
-    """Write what stands for a letter at a point."""
+    """Write the value of a letter at a point."""
     if isinstance(value, sp.Lambda):
         used = {v: f"i{k}" for k, v in enumerate(value.variables) if value.expr.has(v)}
         letters = " ".join(used.get(v, "_") for v in value.variables)
