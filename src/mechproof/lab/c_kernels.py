@@ -51,7 +51,7 @@ class KernelInC:
         return call(given, own, sizes)
 
     def _find_sizes(self, given: list[Array]) -> tuple[list[Shape], list[int]]:
-        """Return the shape of what one point has of each argument, and how many terms sums have."""
+        """Return the shape of each argument at one point, and how many terms sums have."""
         tails = (a.shape[-x.axes :] for a, x in zip(given, self._arguments, strict=True) if x.axes)
         sizes = [max(chain(*tails), default=0)] if self._sums else []
         return [(a.width,) if a.width else (*sizes,) * a.axes for a in self._arguments], sizes

@@ -41,7 +41,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array, Way
 from mechproof.measured import Record
 
-# Dots and inches: together the width of a README in pixels.
+# Dots per inch, and a width in inches that makes as many pixels as a README is wide.
 DPI, WIDTH = 110, 9.2
 COLOURS = 256
 # Style of charts; the salt gives the same data the same bytes.
@@ -93,7 +93,7 @@ def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> Non
 
 
 def tell_sources(records: Sequence[Record]) -> str:
-    """Tell what a picture is drawn from: when it was measured, of one quantity what is proved."""
+    """Tell what a picture is drawn from: when it was measured and, of one quantity, the bounds."""
     told = tell_proved(*records) if len(records) == 1 else {}
     return "; ".join((date_records(records), *(f"{way}: {text}" for way, text in told.items())))
 

@@ -49,7 +49,7 @@ class ChartPoint:
 
     @property
     def height(self) -> float:
-        """Return the digits lost, or the lane of those of which none is right."""
+        """Return the digits lost, or the lane of results without a right digit."""
         if self.turns:
             return TURNS_LANE
         return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE

@@ -84,7 +84,7 @@ def trace_front(axes: Any, front: Sequence[ChartPoint]) -> tuple[list[float], li
 
 
 def _draw_front(axes: Any, front: Sequence[ChartPoint], width: float) -> None:
-    """Draw the front as a step; what is faster and more accurate was not reached, and is shaded."""
+    """Draw the front as a step, and shade what no way reaches: faster and more accurate."""
     if not front:
         return
     times, heights = trace_front(axes, front)

@@ -33,7 +33,7 @@ from mechproof.record import Accuracy
 
 @dataclass(frozen=True)
 class Depth:
-    """How much is measured: at most so many points of a set, rounds of the search, times."""
+    """How much is measured: the most points of a set, rounds of the search, and times."""
 
     points: int | None
     rounds: int

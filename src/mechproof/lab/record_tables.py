@@ -150,7 +150,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
 
 
 def _join_equal(rows: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
-    """Give ways that stand one after the other and differ in nothing but their name one line."""
+    """Join consecutive ways that differ in nothing but their name into one line."""
     for shared, equal in groupby(rows, key=lambda row: tuple(row[1:])):
         yield "; ".join(row[0] for row in equal), *shared
 

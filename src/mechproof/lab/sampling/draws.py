@@ -123,7 +123,7 @@ def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Ar
 
 
 def draw_published(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw published sizes, nominal or at a limit; what is not printed is of any usual size."""
+    """Draw published sizes, nominal or at a limit, and usual sizes where none is published."""
     rows = rng.integers(0, max(1, len(facts.printed)), count)
     return {symbol: _draw_printed(facts, rng, symbol, rows) for symbol in facts.symbols}
 

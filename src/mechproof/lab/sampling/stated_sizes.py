@@ -49,7 +49,7 @@ class Region:
 
     @cached_property
     def edges(self) -> tuple[sp.Expr, ...]:
-        """Return what vanishes at the ends of bounded intervals and at the limits of relations.
+        """Return expressions that are zero at ends of bounded intervals and at limits of relations.
 
         Zero is no edge of a size that is only positive: it is as far away as infinity.
         """

@@ -138,7 +138,7 @@ def _bisect(function: Callable[[Array], Array], start: Array, within: tuple[floa
 def _polish(
     gap: sp.Expr, symbol: sp.Symbol, given: Mapping[sp.Symbol, float], guess: float
 ) -> float:
-    """Return the double nearest to a change of sign; the guess itself if there is none about."""
+    """Return the double nearest to a change of sign; the guess itself if none is near."""
     enclose = compile_expression(gap)
     with working_precision(BITS):
         balls = {s: to_ball(value) for s, value in given.items()}
