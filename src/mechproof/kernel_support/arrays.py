@@ -258,7 +258,7 @@ def _spread_axes(arguments: dict[str, tuple[Any, int]]) -> tuple[NDArray[Any], .
 
 
 def _spread_mask(array: NDArray[Any], axes: int) -> NDArray[Any]:
-    """Mask all terms of a sum of which one is masked: NumPy would leave out that one, as if 0."""
+    """Mask all terms of a sum if one is masked: NumPy would leave that one out, as if it were 0."""
     if not isinstance(array, np.ma.MaskedArray):
         return array
     mask = np.ma.getmaskarray(array).any(axis=tuple(range(-axes, 0)), keepdims=True)

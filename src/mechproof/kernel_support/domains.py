@@ -22,7 +22,7 @@ def is_finite(value: Any) -> Any:
 
 
 def is_positive(value: Any) -> Any:
-    """Return whether 0 < value < oo, of a plain array True if it holds of all its numbers."""
+    """Return whether 0 < value < oo; for a plain array True if it holds for all its numbers."""
     if type(value) is float:
         return 0.0 < value < inf
     smallest, largest = find_extremes(value)
@@ -30,7 +30,7 @@ def is_positive(value: Any) -> Any:
 
 
 def is_nonnegative(value: Any) -> Any:
-    """Return whether 0 <= value < oo, of a plain array True if it holds of all its numbers."""
+    """Return whether 0 <= value < oo; for a plain array True if it holds for all its numbers."""
     if type(value) is float:
         return 0.0 <= value < inf
     smallest, largest = find_extremes(value)
@@ -38,7 +38,7 @@ def is_nonnegative(value: Any) -> Any:
 
 
 def find_extremes(array: Any) -> tuple[float, float]:
-    """Return the smallest and the largest number; NaN if one is, and of what is no plain array.
+    """Return the smallest and the largest number; NaN if one is NaN, or for any but plain arrays.
 
     Found by their places they take a third of what min and max take, and half of comparisons.
     """
@@ -87,7 +87,7 @@ def every(condition: Any, axis: Any) -> Any:
 
 
 def holds(condition: Any) -> bool:
-    """Say whether a condition is true of every element; those of a lazy array stay unread."""
+    """Say whether a condition is true of every element; lazy arrays are not evaluated for it."""
     if type(condition) is np.ndarray:
         # For a short array this costs a fifth of condition.all().
         return bool(np.count_nonzero(condition) == condition.size)

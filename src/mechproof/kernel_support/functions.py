@@ -84,7 +84,7 @@ def hypot(a: Any, b: Any) -> Any:
     found = np.hypot(a, b)
     if type(found) is np.float64:
         return found if found < inf else abs(a) + abs(b)
-    # No number exceeds its hypotenuse, so that numbers stay; NaN stays beside infinity.
+    # No number exceeds the root, so that the maximum changes it only where the other side is NaN.
     if type(found) is np.ndarray:
         np.maximum(found, a, out=found)
         return np.maximum(found, b, out=found)
