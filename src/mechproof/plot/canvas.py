@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
-# Millimetres in inches, and the width of one column of a page in mm.
+# A millimetre in inches, and the width of one column of a page in mm.
 MILLIMETRE = 1 / 25.4
 COLUMN = 85.0
 # Size of letters in points: smaller ones cannot be read at the width of a column.
