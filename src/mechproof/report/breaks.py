@@ -256,7 +256,7 @@ def _sign_of(part: Element) -> str:
 
 
 def _count_open(parts: Iterable[Element]) -> int:
-    """Count brackets that open less those that close; their power is written at the latter."""
+    """Count opening less closing brackets; a power of a bracket is written at the closing one."""
     bases = [part[0] if part.tag in SCRIPTED else part for part in parts]
     return sum(_go_deeper(base, _sign_of(base)) for base in bases)
 

@@ -26,7 +26,7 @@ MARKED = re.compile(r"\{\\color\{(red|green)\}\{(.*)\}\}", re.DOTALL)
 
 
 def write_print(latex: str) -> Markup:
-    """Write what a paper prints: a paragraph where it has words, else formulas on their own."""
+    """Write a print of a paper: a paragraph where it has words, else formulas on their own."""
     if not latex:
         return Markup("")
     if is_sentence(latex):
@@ -117,7 +117,7 @@ def write_definition(quantity: Quantity, paper: Paper) -> Markup:
 
 
 def _take_in(formula: sp.Basic) -> sp.Basic:
-    """Take exponentials that stand before integrals into them, where they may cancel."""
+    """Move exponentials that stand before integrals inside, where they may cancel."""
     return formula.replace(
         lambda part: part.is_Mul and any(isinstance(f, sp.Integral) for f in part.args), _join
     )

@@ -59,7 +59,7 @@ class KeptFormulas:
 
     @cached_property
     def known(self) -> dict[str, str]:
-        """Return what is kept, read once; what is no text is damaged."""
+        """Return the kept formulas, read once; entries that are no text are damaged."""
         return {k: text for k, text in self.store.read().items() if isinstance(text, str)}
 
     @cached_property

@@ -83,7 +83,7 @@ def _write(value: object) -> str:
 
 
 def _draw_motion(mechanism: Any) -> Picture | None:
-    """Draw the motion of what has one."""
+    """Draw the motion of a mechanism; None for one without a motion."""
     try:
         canvas = motion(mechanism)[0].figure
     except TypeError:

@@ -180,7 +180,7 @@ def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:
 
 
 def render(template: str, **data: object) -> str:
-    """Render one template; what it asks for and is not given is an error."""
+    """Render one template; data that it asks for and is not given is an error."""
     return _environment().get_template(f"{template}{SUFFIX}").render(**data)
 
 
@@ -262,7 +262,7 @@ class JoinedPage:
 
 
 def check_file(file: Path) -> None:
-    """Raise `ForeignFileError` for what is there and is no report."""
+    """Raise `ForeignFileError` if the file exists and is no report."""
     if not file.exists():
         return
     if not file.is_file() or MADE.encode() not in file.read_bytes()[:MOST_OF_HEAD]:

@@ -75,7 +75,7 @@ class PictureTask:
 def draw_pictures(
     tasks: Mapping[str, PictureTask], report: Callable[[str], None] = lambda text: None
 ) -> dict[str, Picture]:
-    """Draw on all processors what is not kept; what fails is a picture with its failure."""
+    """Draw the pictures that are not kept, on all processors; a failed one holds its failure."""
     kept = KEPT.read()
     drawn = {name: Picture(**kept[t.key]) for name, t in tasks.items() if t.key in kept}
     names = [name for name in tasks if name not in drawn]
