@@ -47,7 +47,7 @@ def is_capital(latex: str) -> bool:
 
 
 def show_entries(variable: Variable) -> Iterator[Variable]:
-    """Yield a letter, and those of its entries if it is a vector or a matrix."""
+    """Yield a letter, and the letters of its entries if it is a vector or a matrix."""
     symbol = variable.symbol
     if not isinstance(symbol, sp.MatrixSymbol):
         yield variable
@@ -111,7 +111,7 @@ def _bare(name: str) -> str:
 
 
 def compare_bold(row: Row, variables: Sequence[Variable]) -> Row:
-    """Take a bold letter that stands on one side only, and alone, to be introduced there.
+    """Treat a bold letter that stands alone on one side only as introduced there.
 
     Raises `ValueError` for sides of unlike sizes.
     """

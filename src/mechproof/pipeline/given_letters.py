@@ -149,7 +149,7 @@ def find_parameters(
 def find_all_rates(
     variables: Sequence[Variable], moving: Moving, called: Mapping[sp.Basic, sp.Symbol]
 ) -> dict[sp.Basic, sp.Expr]:
-    """Return derivatives of letters that have values, also by what moves in these."""
+    """Return derivatives of letters that have values, also by letters that move in these."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     free = {x: steps for x, steps in moving.letters.items() if x not in values}
     moved = {one for x, (_, own) in free.items() for one in (x, *own)}

@@ -39,15 +39,14 @@ class LedgerCache:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
         kept = self.store.read().get(self.program, {})
         with suppress(ValueError, KeyError, TypeError):
-            # The chosen file may be there now, though it could not be read when the ledger was
-            # made.
+            # A choice that is there now, but was not read, was made after the ledger.
             is_new = self.chosen.exists() and str(self.chosen) not in kept["read"]
             if not is_new and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
         return None
 
     def read_sources(self) -> Mapping[str, str]:
-        """Return the digests of what the kept ledger was made from; none if it would be anew."""
+        """Return the digests of the kept ledger's sources; none if it would be made anew."""
         kept: Mapping[str, str] = self.store.read().get(self.program, {}).get("read", {})
         return kept if are_unchanged(kept) else {}
 

@@ -39,7 +39,7 @@ class Opened:
 
     @property
     def tasks(self) -> tuple[str, ...]:
-        """Return the names of what is judged: the numbers of rows, of several by the first."""
+        """Return the names of tasks: the numbers of rows, for several rows the first one's."""
         own = (row.number for row in self.rows)
         return (*own, *(list_derivative_numbers(quantity)[0] for quantity in self.derivatives))
 

@@ -265,7 +265,7 @@ def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
 def count_from_zero(
     variables: Sequence[Variable], relations: Sequence[sp.Basic]
 ) -> tuple[tuple[Variable, ...], list[sp.Basic]]:
-    """Let letters that count from 1 count from 0 where that is said."""
+    """Make letters that count from 1 count from 0 where that is said."""
     said = [r for r in relations if isinstance(r, sp.Ge | sp.Gt | sp.Le | sp.Lt)]
     least = {r.gts for r in said if r.gts in r.free_symbols and r.subs(r.gts, 0) == sp.true}
     least |= {v.symbol for v in variables if v.given == 0}

@@ -50,7 +50,7 @@ def part_equivalence(pasted: Pasted) -> tuple[Pasted, Pasted] | None:
 
 
 def take_condition(pasted: Pasted) -> Pasted:
-    """Take what stands before the one arrow of an implication as where its conclusion is meant."""
+    """Take the left side of the one arrow of an implication as the condition for the right side."""
     condition, conclusion = _part_at_arrow(pasted.latex, _IMPLIES)
     if not conclusion:
         return pasted

@@ -206,7 +206,7 @@ def find_called(
 def give_unknown(
     variables: Iterable[Variable], unknown: Collection[str], called: Mapping[sp.Basic, sp.Symbol]
 ) -> list[tuple[sp.Basic, sp.Expr]]:
-    """Return functions of which nothing is known as values; `ValueError` beside what may be one."""
+    """Return functions without known values as values; `ValueError` beside other possible ones."""
     if not unknown:
         return []
     known = {*called, *called.values()}

@@ -174,7 +174,7 @@ def _add_rows(paper: Paper, checked: checking.CheckedPaper) -> Paper:
 
 
 def _insert(rows: Sequence[R], others: Sequence[R], names: Sequence[str]) -> tuple[R, ...]:
-    """Put other rows behind those whose equations stand before theirs, or before the first."""
+    """Insert other rows behind those whose equations come before theirs, or at the beginning."""
     places = {name: place for place, name in enumerate(names)}
     found = [(places.get(judging_workers.name_equation(row.number)), row) for row in rows]
     for other in others:
