@@ -60,7 +60,7 @@ def cache_folder() -> Path:
 
 
 def name_place(location: Path) -> str:
-    """Return a name for what is kept of a derivation; another place has another."""
+    """Return the name under which a derivation is kept, different for every place."""
     name = sha256(str(location.resolve()).encode("utf-8", "surrogateescape")).hexdigest()
     return f"{location.stem}-{name[:16]}"
 
@@ -116,7 +116,7 @@ sys.addaudithook(_note)
 
 @contextmanager
 def note_reads() -> Iterator[dict[str, str]]:
-    """Note what is opened until the end, and what is loaded by then: path -> digest, filled there.
+    """Note the files opened until the end, and those loaded by then: path -> digest, filled there.
 
     It stays empty where a file was written meanwhile: nobody knows which text was read.
     """

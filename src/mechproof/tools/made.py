@@ -87,11 +87,11 @@ class Made:
         return Change(name, present, wanted, is_own) if wanted is not None or is_own else None
 
     def update(self, files: Mapping[str, str], *, and_remove: bool = True) -> list[Change]:
-        """Make the files what they should be, and return what was changed.
+        """Bring the files to what they should be, and return what was changed.
 
-        Without `and_remove` what else was made stays, and stays listed. An interrupted write
-        leaves every file as it was before or whole. Raises `ForeignFileError`, before anything is
-        written, naming what lies in the way.
+        Without `and_remove` other made files stay, and stay listed. An interrupted write leaves
+        every file as it was before or whole. Raises `ForeignFileError`, before anything is written,
+        naming what lies in the way.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         with _hold(self.folder):
@@ -200,7 +200,7 @@ def _stage(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def _hold(folder: Path) -> Iterator[None]:
-    """Let one process at a time write to a folder; whoever dies lets go of it."""
+    """Lock a folder, so that one process at a time writes to it; a dead one lets go of it."""
     try:
         from fcntl import LOCK_EX, flock
     except ImportError:  # Windows opens no folders; there the last one that writes wins.

@@ -142,7 +142,7 @@ def run_batches(
 
 @contextmanager
 def start_executor(processes: int) -> Iterator[Executor | None]:
-    """Start an executor of so many processes and end it; none for a single one."""
+    """Start an executor of `processes` processes and end it; None for a single one."""
     if processes == 1:
         yield None
         return
@@ -168,7 +168,7 @@ class _Pool(Generic[Task, Result]):
         self.ends.append(first + len(batch))
 
     def fill(self, count: int, ahead: int) -> bool:
-        """Give each of up to `count` processes so many tasks; return whether any is at work."""
+        """Give each of up to `count` processes `ahead` tasks; return whether any is at work."""
         for worker in [worker for worker in self.workers if not worker.has]:
             if not self._can_go_on(worker):
                 self._end(worker)
