@@ -50,7 +50,7 @@ def show_witness(row: Judgement) -> Iterator[LedgerCost]:
 
 
 def _show_number(row: Judgement, item: Evidence) -> LedgerCost:
-    """Show a printed number and what it should be, at the sizes as which it was read."""
+    """Show a printed number and the right one, at the sizes with which it was read."""
     _, said, sizes = row.read_as.partition(" at ")
     recomputed, _ = show_plainly(balls.read(item.rebuilt), balls.to_ball(sp.Rational(item.printed)))
     values = {"printed": item.printed, "recomputed": recomputed}

@@ -72,7 +72,7 @@ class Origin:
 
     @classmethod
     def of(cls, paper: Paper) -> Origin:
-        """Return that of a paper."""
+        """Return the origin of a paper's rows."""
         return cls(paper.doi, paper.transcription, paper.sentences, dict(paper.aside))
 
 

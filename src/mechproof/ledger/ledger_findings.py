@@ -310,7 +310,7 @@ def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
         if part in pairs:
             # Replaced as a whole: of a matrix SymPy would only replace elements.
             return pairs[part]
-        # Not by comparing nodes: a product within a product is merged with its factors.
+        # `subs`, not `xreplace`: a product within a product is merged with its factors.
         return part.subs(pairs, simultaneous=True)
     if isinstance(part, tuple):
         return tuple(_replace_in(item, pairs) for item in part)
