@@ -97,7 +97,7 @@ _HEXADECIMAL = re.compile(r"([+-]?)0x([0-9a-f]+)(?:\.([0-9a-f]+))?(?:p([+-]?\d{1
 
 
 def read_number(text: str) -> Fraction | None:
-    """Return the value of a number, None for what is none."""
+    """Return the value of a number, None for any other text."""
     if _DECIMAL.fullmatch(text) or _FRACTION.fullmatch(text):
         return Fraction(text)
     if found := _HEXADECIMAL.fullmatch(text):
@@ -110,7 +110,7 @@ def read_number(text: str) -> Fraction | None:
 
 
 def _count_operands(row: Kind) -> int:
-    """Count what a kind is put together of; the functions that are read have one operand."""
+    """Count the operands in a kind's meaning; functions that are read as such have one."""
     return len(signature(row.meaning).parameters) - 1 if row.meaning else 1
 
 
@@ -162,7 +162,7 @@ def _read_core(node: Node, number: int) -> Core:
 
 
 def _read_box(condition: Node | None, arguments: Sequence[str], line: int) -> Mapping[str, Range]:
-    """Return the range of each argument; `FPCoreError` for what is no box, or has no end."""
+    """Return the range of each argument; `FPCoreError` for a condition that is no finite box."""
     lows: dict[str, Fraction] = {}
     highs: dict[str, Fraction] = {}
     for name, number, is_low in _list_ends(condition, arguments) if condition else ():
