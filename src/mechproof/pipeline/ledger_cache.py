@@ -39,7 +39,8 @@ class LedgerCache:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
         kept = self.store.read().get(self.program, {})
         with suppress(ValueError, KeyError, TypeError):
-            # A choice that is there now, but was not read, was made after the ledger.
+            # The file of chosen forms is not among these if it was not there when the ledger was
+            # made.
             is_new = self.chosen.exists() and str(self.chosen) not in kept["read"]
             if not is_new and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
