@@ -9,9 +9,9 @@ import numpy as np
 
 
 def find_labelled(arrays: tuple[Any, ...]) -> int | None:
-    """Return which argument has labels where all others are numbers, None if it is none or more.
+    """Return which argument has labels, if all others are numbers; None if none or several have.
 
-    Two of them would have to be aligned. What waits, as an array in chunks, has none.
+    Two of them would have to be aligned. Lazy arrays, such as arrays in chunks, have none.
     """
     places = [i for i, array in enumerate(arrays) if np.ndim(array)]
     if len(places) != 1:
@@ -28,7 +28,7 @@ def label(values: Any, labelled: Any) -> Any:
 
 @cache
 def _keep_first() -> Any:
-    """Return a function of NumPy's kind, which what has labels knows how to be called with."""
+    """Return a ufunc, which arrays with labels know how to be called with."""
     from numba import vectorize
 
     return vectorize(["f4(f4, f4)", "f8(f8, f8)"])(_take_first)

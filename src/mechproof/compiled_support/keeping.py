@@ -13,7 +13,7 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache
 
 
 class _Files(CompileResultCacheImpl):  # type: ignore[misc]
-    """Files of their own for each module: what is in them finds the rest by the module's name."""
+    """Files of their own for each module: compiled code finds the rest by the module's name."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         super().__init__(function)

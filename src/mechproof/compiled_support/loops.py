@@ -21,7 +21,7 @@ from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_co
 from mechproof.kernel_support.blocks import WRITTEN, check_out
 from mechproof.tools.processes import count_processors
 
-# Points in a row for which a call of its own pays, and those for which a second thread does.
+# Number of points in a row for which a call of its own pays, and for which a second thread does.
 LONG_ROW = 32
 THREADED = 2**17
 IN_A_ROW = (DOUBLE.itemsize,)
@@ -56,7 +56,7 @@ class Loops:
         return self.point(*numbers)
 
     def _fill_first(self, row: NDArray[Any], points: NDArray[Any], *parameters: float) -> None:
-        # What may be read only is entered like what may be written, too.
+        # Rows that may only be read are entered like those that may be written.
         self.fill = find_entry(self.rows, row, row, *parameters)
         self.fill(row, points, *parameters)
 
@@ -71,7 +71,7 @@ def find_entry(function: Any, *arguments: Any) -> Callable[..., Any]:
 
 
 def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | None:
-    """Return what a short row of doubles is computed into at once, None where there is more to do.
+    """Return the array that a short row of doubles is computed into at once; else None.
 
     The first test of a call: nothing here may cost as much as the loop over ten points.
     """
@@ -150,7 +150,7 @@ def _is_double(value: Any) -> bool:
     """Say whether it is one number that makes a double of every array of doubles."""
     kind = type(value)
     if kind is int:
-        # Larger ones are no numbers of NumPy's.
+        # Larger integers are no numbers of NumPy's.
         return bool(-(2**63) <= value < 2**63)
     return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 

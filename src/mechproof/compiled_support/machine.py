@@ -32,7 +32,7 @@ __all__ = [
 ]  # fmt: skip
 
 _HOW = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True}
-# An entry from Python takes as long to compile as a short function.
+# No entry from Python, which takes as long to compile as a short function.
 _INSIDE = {**_HOW, "no_cpython_wrapper": True}
 
 
@@ -43,7 +43,7 @@ def _call_inside(compiled: Callable[..., Any]) -> Callable[[Callable[..., Any]],
         dispatcher = compiled(function)
         if dispatcher is not function:
             entered = cache(lambda: njit(**_HOW)(function))
-            # Numba would jump to the entry that is missing.
+            # Without this, numba would jump to the entry that is missing.
             dispatcher._insert = lambda *overload: None
             dispatcher._compile_for_args = lambda *values: entered()
         return dispatcher
@@ -54,9 +54,9 @@ def _call_inside(compiled: Callable[..., Any]) -> Callable[[Callable[..., Any]],
 loop = compile_kept(**_HOW)
 _entered = compile_kept(**_HOW, forceinline=True)
 scalar = _call_inside(compile_kept(**_INSIDE, forceinline=True))
-# A loop that is kept with the one that calls it, not on its own.
+# A loop that is kept in a file with the one that calls it, not on its own.
 inner = _call_inside(njit(**_INSIDE))
-# What becomes a part of the function that calls it, and what never does.
+# A function that is always inlined into its caller, and one that never is.
 within = _call_inside(njit(**_INSIDE, forceinline=True))
 apart = _call_inside(njit(**_INSIDE, forceinline=False))
 
@@ -191,9 +191,9 @@ def widen(typingctx: Any) -> Any:
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         attributes = builder.function.attributes
-        # As a part of another function it would be compiled as that one asks.
+        # Inlined, it would be compiled as its caller asks.
         attributes.add("noinline")
-        # llvmlite knows attributes without values alone.
+        # Added as a set's element, because llvmlite knows only attributes without values.
         set.add(attributes, '"prefer-vector-width"="512"')
         features = context.codegen()._tm_features
         if "+avx512f" in features:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-# Points of which arguments are copied at once: the copies stay in a cache.
+# Number of points for which arguments are copied at once: the copies stay in a cache.
 PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
 

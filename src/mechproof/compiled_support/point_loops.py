@@ -17,7 +17,7 @@ from numba.np.arrayobj import load_item, store_item
 
 from mechproof.compiled_support.machine import apart, bare, widen, within
 
-# What a fast loop leaves as NaN is looked at again after so many points.
+# Number of points after which results of a fast loop are checked for NaN, and computed again then.
 BLOCK = 1024
 _REAL = types.float64
 

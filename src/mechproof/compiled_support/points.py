@@ -13,7 +13,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-# Points in a block: fifty numbers of each stay in the fastest cache.
+# Number of points in a block: fifty numbers of each stay in the fastest cache.
 POINTS = 64
 
 
@@ -43,7 +43,7 @@ def prefetch_row(typingctx: Any, table: Any, row: Any) -> Any:
         place = builder.gep(builder.bitcast(array.data, byte), [offset])
         function = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
         prefetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], function)
-        # To be read, into the nearest cache, and data.
+        # The flags mean: for reading, into the nearest cache, data.
         builder.call(prefetch, [place, flag(0), flag(3), flag(1)])
         return context.get_dummy_value()
 

@@ -18,9 +18,9 @@ from mechproof.compiled_support.machine import apart, bare, choose, is_finite, w
 from mechproof.compiled_support.point_loops import put_point, take_point
 from mechproof.compiled_support.points import POINTS, own_row, prefetch_row
 
-# Numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
+# Most numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
 LARGEST_BLOCK = 4096
-# Numbers in the widest vector.
+# Number of doubles in the widest vector.
 LANES = 8
 _HOW = {"error_model": "numpy", "forceinline": True, "no_cfunc_wrapper": True}
 TAKEN = {"jit_options": _HOW, "strict": False}
@@ -28,7 +28,7 @@ TAKEN = {"jit_options": _HOW, "strict": False}
 
 @intrinsic
 def lend(typingctx: Any, values: Any) -> Any:
-    """Return arrays, in tuples or not, that nobody counts the holders of."""
+    """Return arrays, in tuples or not, without counting references to them."""
 
     def strip(context: Any, builder: Any, kind: Any, value: Any) -> Any:
         if isinstance(kind, types.BaseTuple):
@@ -51,7 +51,7 @@ def lend(typingctx: Any, values: Any) -> Any:
 
 @intrinsic
 def hold(typingctx: Any, values: Any) -> Any:
-    """Keep arrays until here."""
+    """Keep the arrays alive until here."""
     return types.void(values), lambda context, builder, signature, given: context.get_dummy_value()
 
 

@@ -15,7 +15,8 @@ from mechproof.compiled_support.loops import check_arrays, fill_target
 from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
-# Fewer sets are computed one after the other if their sums are long.
+# With fewer sets than this, and sums of at least this length, sets are computed one after the
+# other.
 FEW, LONG = 4, 1024
 
 
@@ -52,7 +53,7 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
-    # What most calls give is told by its type alone; all else costs as much as many points.
+    # The most usual arguments are recognised by type alone; all else costs as much as many points.
     is_double = all(map(_is_double, arguments))
     given = arguments if is_double else as_floats(" ".join(sums.names), *arguments, axes=sums.ranks)
     arrays = tuple(map(as_numpy, given))
@@ -64,7 +65,7 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
     arrays = tuple([next(rest) if n else a for a, n in zip(arrays, sums.axes, strict=True)])
     terms = next((a.shape[-1] for a in summed if a.shape[-1] != 1), 1)
     outer = [a.shape[: a.ndim - rank] for a, rank in zip(arrays, sums.ranks, strict=True)]
-    # Most are equal, or of a single point.
+    # Most shapes are equal, or are those of a single point.
     several = {shape for shape in outer if shape}
     if len(several) > 1 and is_double:
         # Raises where they do not broadcast, with a name.
@@ -115,7 +116,7 @@ def _table(array: NDArray[Any], outer: tuple[int, ...]) -> NDArray[Any]:
     depth, rows = len(outer), np.ascontiguousarray(array)
     if depth == 1 and rows.ndim == 2:
         return rows
-    # There is a point: one of the numbers tells the other.
+    # There is a point, so that the number of rows determines that of columns.
     return rows.reshape(math.prod(array.shape[:depth]), -1)
 
 
