@@ -122,7 +122,7 @@ def interval_of_errors(
     return paper.claim(
         INTERVAL,
         all_of(*(PrintedNumber("95", coverage_of_errors(count)) for count in counts)),
-        readings=(Reading("the interval of the mean of the errors, whose u it is", of_mean),),
+        readings=(Reading("the interval of the mean of the errors, to which u belongs", of_mean),),
         corrected=paper.mend(INTERVAL, "interval of", "interval of the mean of", of_mean),
         note="Coverage by Student's t, for normal observations. If u is the standard deviation of "
         "single errors, the words are right, but u is not what the preceding formulas make it.",
@@ -151,9 +151,9 @@ def if_u_is_s(
                 )
             )
         ),
-        note="If the printed u is the standard deviation s of single errors, mean ± 2u does hold "
-        "95 % of the errors, and these are the intervals of the means: all four differ from zero, "
-        f"by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
+        note="If the printed u is the standard deviation s of single errors, mean ± 2u does cover "
+        "95 % of the errors. These are then the intervals of the means: all four differ from "
+        f"zero, by {min(distances, key=int)} to {max(distances, key=int)} of their standard "
         "uncertainties.",
         marks=("consequence", "inferred"),
     )
@@ -197,7 +197,7 @@ def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]
 
 
 def interval_finding(
-    readings: Mapping[int, Readings], of_mean: str, of_root: str, called: str = "one of the errors"
+    readings: Mapping[int, Readings], of_mean: str, of_root: str, called: str = "of the errors"
 ) -> Finding:
     """Say what the interval holds of single errors, and how wide theirs is, in variants 1 and 3."""
     costs = (
@@ -225,14 +225,14 @@ def interval_finding(
     count = readings[1].count
     return Finding(
         INTERVAL,
-        f"By {of_mean} and {of_root} u is the uncertainty of the mean, so that mean ± 2u is an "
-        f"interval for the mean error; it is called {called}, of which it covers only 11 to 12 %. "
-        f"Or else the printed u is the standard deviation s, to which {of_mean} was not applied.",
+        f"By {of_mean} and {of_root} u is the uncertainty of the mean, so mean ± 2u is an interval "
+        f"for the mean error. It is called an interval {called}, but covers only 11 to 12 % of "
+        f"them. Or the printed u is the standard deviation s, and {of_mean} was not applied to it.",
         costs=tuple(costs),
         weight=Weight.CONCLUSION,
         check=Check(
-            f"2u = 2s/√n, which is {{0}} s for n = {count}; a table of the normal law has the "
-            "share {1} within so many standard deviations, not 0.95.",
+            f"2u = 2s/√n, which is {{0}} s for n = {count}; by a table of the normal law {{1}} of "
+            "the errors lie within ±{0} s, not 0.95.",
             (2 / sqrt(count), erf(sqrt(2) / sqrt(count))),
         ),
     )

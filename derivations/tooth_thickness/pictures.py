@@ -126,7 +126,7 @@ FIGURES = (
     Figure(
         "fig-5",
         "Fig. 5",
-        "With the right half of the tip's deviation more good teeth pass at every gauge.",
+        "With half of the tip's deviation, as is right, more good teeth pass with every gauge.",
         f"Share of teeth rightly accepted {CAPTION}",
         "(a), rise with the limit error",
         partial(draw_share, name="rightly_accepted"),

@@ -289,7 +289,7 @@ FIGURES = (
     Figure(
         "table-1",
         "Table 1",
-        "Mounting and elastic deformation make most of the total error.",
+        "Mounting and elastic deformation make up most of the total error.",
         "Shares of the errors of Table 1 in the square of their total by the corrected (6), all "
         f"coefficients 1, Δ_T random: the paper's {100 * THERMAL_SHARE:g} % of the total. The "
         "symbol of the machine setting is uncertain in print.",

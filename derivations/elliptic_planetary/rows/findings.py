@@ -31,10 +31,10 @@ RIGHT_INTEGRAL, PRINTED_INTEGRAL = READER.members(DX_SUPPLIED)
 FINDINGS = (
     Finding(
         "(12)",
-        "With a_1 ± b_1 = (1 ± e)² the root in (11) is (1 + e)/(1 - e) itself: (12) has taken the "
-        "root once more, in both places. Besides, its arctangent falls back once in each turn of x "
-        "= R_1 φ_1/R_2, where the position goes on, so that on average the output makes "
-        "one turn for each turn of the carrier, not 1 + R_1/R_2.",
+        "With a_1 ± b_1 = (1 ± e)² the root in (11) already equals (1 + e)/(1 - e), but (12) "
+        "takes the root again, in both places. Besides, its arctangent jumps back once in each "
+        "turn of x = R_1 φ_1/R_2, whereas the position keeps rising. So by (12) the output "
+        "averages one turn per turn of the carrier, not 1 + R_1/R_2.",
         costs=tuple(
             Cost(f"variant {variant}, {degrees}° of the carrier", "°", at=place(variant, degrees))
             for variant, degrees in ((1, 30), (2, 30), (2, 90), (1, 360))
@@ -43,8 +43,8 @@ FINDINGS = (
         weight=Weight.CONCLUSION,
         mend="(12) without its roots",
         check=Check(
-            "At φ_1 = 0 the slope of (12) is 1 + R_1/R_2 = {0} in variants 1 and 2, whatever e; "
-            "(8) has {1} and {2} there.",
+            "At φ_1 = 0 the slope of (12) is 1 + R_1/R_2 = {0} in variants 1 and 2, whatever e "
+            "is; (8) gives {1} and {2} there.",
             (diff(print_12, phi1).subs(phi1, 0).subs(place(1, 0)), start_of_8(1), start_of_8(2)),
         ),
         figure="fig-3",
@@ -52,11 +52,10 @@ FINDINGS = (
     interval_finding(READINGS, "(15)", "(16)"),
     Finding(
         ADEQUACY,
-        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
-        "own numbers the interval of variant 3 excludes a mean error of zero, and the single "
-        "errors of variants 1, 2 and 4 scatter by more than two encoders with 0.3 % of 360° "
-        "allow; or u is not an uncertainty of the mean, but then all four means are far from "
-        "zero.",
+        "The text at hand gives neither a criterion of adequacy nor the readings. By the paper's "
+        "own numbers the interval of variant 3 excludes a mean error of zero, and single errors "
+        "of variants 1, 2 and 4 scatter more than two encoders of 0.3 % of 360° allow. If u is "
+        "not an uncertainty of the mean, all four means are far from zero.",
         costs=(
             *costs_of_mean(READINGS, (3,)),
             *(
@@ -81,8 +80,8 @@ FINDINGS = (
     Finding(
         "Table 3, interval 3",
         "The interval of variant 3 is the mean plus or minus u; the other three, and the text, "
-        "have twice u. Half-width and u do not agree. Which of the two is the misprint is not "
-        "decided: either the half-width should be 0.56°, or the u of Table 3 should be 0.14°.",
+        "have 2u. Half-width and u do not agree: either the half-width should be 0.56°, or the u "
+        "of Table 3 should be 0.14°. The text at hand does not decide which.",
         costs=(
             Cost(
                 "half-width of variant 3",
@@ -115,8 +114,9 @@ FINDINGS = (
     ),
     Finding(
         "(10), third equals sign",
-        "The fourth expression of (10) has cos²(x/2) in its numerator, where it belongs in the "
-        "denominator, and no differential dx; the fifth expression and (11) are right again.",
+        "In the fourth expression of (10) cos²(x/2) stands in the numerator instead of the "
+        "denominator, and the differential dx is missing. The fifth expression and (11) are right "
+        "again.",
         costs=tuple(
             Cost(
                 f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",

@@ -86,8 +86,7 @@ ROWS = (
             less(0 * e, 8 * e / BOTH),
         ),
         note="The numerator is convex in cos(x), below zero at -1 and above it at 1: it has one "
-        "root between. The acceleration is odd in x, so it is smallest there and largest as far "
-        "before x = 0.",
+        "root in between. The acceleration is odd in x: smallest at this x, largest at -x.",
         on=PROPER,
         quantities=("largest_acceleration", "angle_of_smallest_acceleration"),
     ),

@@ -106,10 +106,10 @@ CORRECT_12 = (
 )
 EQUATION_12 = PRINT.equation(
     "(12)",
-    note="As a1 ± b1 = (1 ± e)^2, the root in (11) is (1 + e)/(1 - e) itself, but (12) takes the "
-    "root of that once more. Without it the factor before the arctangent is 2 and the "
-    "quotient inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. "
-    "Compared with what (8), which is proved, gives when it is integrated from 0.",
+    note="As a1 ± b1 = (1 ± e)^2, the root in (11) is already (1 + e)/(1 - e), but (12) takes the "
+    "root once more. Without that root the factor before the arctangent is 2 and the quotient "
+    "inside is (1 + e)/(1 - e). Besides, the arctangent jumps back after each turn. Compared with "
+    "the integral of (8), which is proved, from 0.",
     corrected=Correction(CORRECT_12),
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: position},
@@ -128,8 +128,8 @@ POSITION_ROWS = (
     PRINT.equation(
         "(9)",
         derived={phi3: position},
-        note="Compared with the integral of the ratio that (8) is; read from the initial "
-        "conditions phi10 = phi30 = 0; holds over all turns.",
+        note="Compared with the integral of (8), the ratio, from the initial conditions phi10 = "
+        "phi30 = 0; holds over all turns.",
     ),
     PRINT.equation("before (10), a_1"),
     PRINT.equation("before (10), b_1"),
@@ -138,7 +138,7 @@ POSITION_ROWS = (
         "(10)",
         links={
             3: ChainLink(
-                note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
+                note="The factor cos^2(x/2) belongs in the denominator, and dx is missing.",
                 corrected=Correction(CORRECT_FOURTH),
                 on=BRANCH,
             ),
@@ -239,8 +239,8 @@ POSITION_CLAIMS = (
     PRINT.claim(
         "Fig. 3, formula used",
         Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
-        note="By (8), which is a ratio, integrated from phi1 = 0, as in (9). The curves of Fig. 3 "
-        "are not at hand.",
+        note="By the integral of (8), a ratio, from phi1 = 0, as in (9). The curves of Fig. 3 are "
+        "not at hand.",
         marks=("inferred",),
     ),
     ours(

@@ -100,8 +100,8 @@ TABLE_CLAIMS = (
                 if one < two
             ),
         ),
-        note="The ratio's (largest - smallest)/mean grows with e and with R1/R2, and no two of the "
-        "four variants have the same.",
+        note="The non-uniformity, (largest - smallest)/mean ratio, grows with e and with R1/R2; "
+        "no two variants have the same.",
     ),
     _readings.table_row("Table 3", "(13)-(16)", READINGS, ("S52", "S53")),
     _readings.interval_of_errors(PRINT, READINGS),
@@ -117,8 +117,8 @@ TABLE_CLAIMS = (
             Equality(lead.subs(x, -x), -lead),
             PrintedNumber("-0.98", turned_wheel_6("0.541")),
         ),
-        note="It may indeed: if wheel 6 is mounted 0.541° off on its shaft, which shifts the "
-        "odd and periodic part of the position function, the mean error of variant 2 results.",
+        note="It may: mounting wheel 6 off by 0.541° on its shaft shifts the odd, periodic part "
+        "of the position function and gives the mean error of variant 2.",
     ),
 )
 
@@ -149,9 +149,9 @@ CONSEQUENCES = (
             less(LARGEST_MEAN_ERROR, mean_lack(1)),
         ),
         note="On the first branch alone, before it jumps back, (12) is off by this much on "
-        "average. Mean errors of at most 0.98° cannot have been found by comparison with it: "
-        "the calculation behind Table 3 used another formula, and the slip in (12) is one of the "
-        "article only.",
+        "average. Mean errors of at most 0.98° cannot come from a comparison with it: the "
+        "calculation behind Table 3 used another formula, and the slip in (12) is in the article "
+        "only.",
         marks=("consequence",),
     ),
     ours(
@@ -168,11 +168,10 @@ CONSEQUENCES = (
             _readings.beyond_encoders(READINGS, {number: LIMITS[number] for number in (1, 2, 4)}),
             less(READINGS[3].implied_scatter, LIMITS[3]),
         ),
-        note="If u belongs to the mean, as (15) and (16) have it, single errors scatter by u "
-        "sqrt(n). An encoder on each shaft that keeps to 0.3 % of 360° allows errors of at "
-        "most M about any offset of the mechanism, and such errors cannot scatter so much in "
-        "variants 1, 2 and 4: either the mechanism or its model is off, or u is not an "
-        "uncertainty of the mean.",
+        note="If u belongs to the mean, as by (15) and (16), single errors scatter by u sqrt(n). "
+        "An encoder within 0.3 % of 360° on each shaft allows errors of at most M about any "
+        "offset of the mechanism. In variants 1, 2 and 4 such errors cannot scatter so much: "
+        "either the mechanism or its model is off, or u is not an uncertainty of the mean.",
         marks=("inferred", "consequence"),
     ),
     _readings.if_u_is_s(

@@ -60,7 +60,7 @@ ROWS = (
             Equality(speed.subs(t, turning), sp.S.One),
             less(sp.S.Zero, sp.diff(sp.atan(q * t), q)),
         ),
-        note="From there on it is nearer to the place the smaller q is: arctg(q t) rises with q.",
+        note="As arctg(q t) rises with q, the output counted from the place falls.",
         on=RETURNS,
         quantities=("position_cylindrical",),
     ),
@@ -72,7 +72,7 @@ ROWS = (
             Equality(sp.diff(swing, t).subs(t, turning), sp.S.Zero),
             Equality(sp.diff(swing, q), -t / (1 + (q * t) ** 2)),
         ),
-        note="Where the output turns back M does not change with t, so only q counts.",
+        note="Where the output turns back, dM/dt = 0, so only q counts.",
         on=RETURNS,
         quantities=("position_cylindrical",),
     ),
@@ -85,9 +85,9 @@ ROWS = (
             Equality(sp.diff(slowness, x) ** 2, slowness * spread - 1 - slowness**2),
             less(sp.S.Zero, sp.diff(spread, e2)),
         ),
-        note="The carrier passes each speed of the output in less of its angle the larger e2 is. "
-        "So it passes from any speed to any other in less, and the output leaves a band about a "
-        "place where it turns back after less.",
+        note="The larger e2 is, the less the carrier turns while the output changes from one "
+        "speed to another, and the sooner the output leaves a band about a place where it turns "
+        "back.",
         on=PROPER,
         quantities=("ratio_cylindrical",),
     ),

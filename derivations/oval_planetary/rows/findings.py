@@ -26,11 +26,11 @@ def place(variant: int, degrees: int) -> dict[sp.Symbol, sp.Expr]:
 
 FINDINGS = (
     interval_finding(
-        READINGS, "(14)", "(15)", called='one of the errors, or of "the measured quantities"'
+        READINGS, "(14)", "(15)", called='of the errors, or of "the measured quantities"'
     ),
     Finding(
         ADEQUACY,
-        "The text at hand has neither a criterion of adequacy nor the readings. By the paper's "
+        "The text at hand gives neither a criterion of adequacy nor the readings. By the paper's "
         "own numbers the intervals of variants 1, 3 and 4 exclude a mean error of zero.",
         costs=costs_of_mean(READINGS, (1, 3, 4)),
         weight=Weight.CONCLUSION,
@@ -43,8 +43,9 @@ FINDINGS = (
     ),
     Finding(
         "conclusion 2, acceleration",
-        "Conclusion 2 counts the analogue of the acceleration among the results; the text at hand "
-        "has no formula, graph or value of it, and its abstract names only speed and position.",
+        "Conclusion 2 lists the analogue of the acceleration among the results, but the text at "
+        "hand has no formula, graph or value of it, and its abstract names only speed and "
+        "position.",
         weight=Weight.CONCLUSION,
         mend="acceleration by the model",
         check=Check(
@@ -58,9 +59,8 @@ FINDINGS = (
     Finding(
         "special case, angle of wheel 6",
         "For a cylindrical pair 4-5 the text at hand replaces only the radii by numbers. If (5) "
-        "is left as printed, with e_1 = 0, it turns wheel 6 as far as the carrier; without slip "
-        "the wheel turns R_4/R_5 times as far, and variant 3 comes to rest three times in a turn, "
-        "not twice.",
+        "is left as printed, with e_1 = 0, φ_6 equals φ_1; without slip φ_6 is R_4/R_5 times as "
+        "large, and variant 3 comes to rest three times in a turn, not twice.",
         costs=tuple(
             Cost(
                 f"output of variant {variant}, 60° of the carrier",
@@ -73,15 +73,16 @@ FINDINGS = (
         ),
         weight=Weight.NUMBER,
         check=Check(
-            "A wheel of R_5 = 20 mm that rolls on R_4 = 30 mm turns {0} times as far as the "
-            "carrier, one of 18 mm on 32 mm {1} times; by (5) with e_1 = 0 it would be {2}.",
+            "Seen from the carrier, a wheel of R_5 = 20 mm on a sun of R_4 = 30 mm turns {0} "
+            "times as far as the sun, one of 18 mm on 32 mm {1} times; by (5) with e_1 = 0 it "
+            "would be {2}.",
             ((R4 / R5).subs(VARIANTS[3]), (R4 / R5).subs(VARIANTS[4]), sp.S.One),
         ),
     ),
     Finding(
         "(10)",
-        "(7) and (10) count the output against the carrier's direction of rotation, which the "
-        "text at hand does not say: if both angles are counted the same way, the output turns the "
+        "(7) and (10) count the output positive against the carrier's rotation, which the text at "
+        "hand does not say. If both angles are counted in the same sense, the output turns the "
         "wrong way.",
         costs=tuple(
             Cost(

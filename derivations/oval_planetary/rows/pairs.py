@@ -132,8 +132,8 @@ CYLINDRICAL_PAIR_ROWS = (
         r"1-\tfrac{R_4}{R_5}\tfrac{1+e_2}{1-e_2}\le\varphi_3'"
         r"\le1-\tfrac{R_4}{R_5}\tfrac{1-e_2}{1+e_2}",
         all_of(Holds(1 - fastest <= ratio_45), Holds(1 - slowest >= ratio_45)),
-        note="Reached at x = 0 and x = pi. So the output turns one way against the carrier for "
-        "R4/R5 > (1 + e2)/(1 - e2), one way with it for R4/R5 < (1 - e2)/(1 + e2), and reverses "
+        note="Reached at x = 0 and x = pi. So the output always turns against the carrier for "
+        "R4/R5 > (1 + e2)/(1 - e2), always with it for R4/R5 < (1 - e2)/(1 + e2), and reverses in "
         "between.",
         marks=("inferred",),
         quantities=("ratio_cylindrical",),

@@ -75,8 +75,8 @@ MEASUREMENT_ROWS = (
             PrintedNumber("0.777", turned_wheel_6(1, "1.348")),
             PrintedNumber("1.280", turned_wheel_6(3, "2.566")),
         ),
-        note="These two mean errors are the large ones, and it may indeed: they result if wheel 6 "
-        "is mounted 1.348° off on its shaft in variant 1, and 2.566° off in variant 3.",
+        note="It may: these two mean errors, the large ones, result if wheel 6 is mounted 1.348° "
+        "off on its shaft in variant 1, and 2.566° off in variant 3.",
         marks=("inferred",),
     ),
 )
@@ -181,10 +181,10 @@ CONSEQUENCES = (
                 )
             ),
         ),
-        note="If u belongs to the mean, two encoders that keep to 0.3 % of 360° may explain "
-        "how single errors scatter, whatever offset manufacture adds; in variant 1 only if both "
-        "are nearly at their limits all the time: u at the lower end of its rounding gives 2.315°"
-        ", and the bound is 2.437°.",
+        note="If u belongs to the mean, two encoders within 0.3 % of 360° may explain the scatter "
+        "of single errors, whatever offset manufacture adds. In variant 1 both would have to be "
+        "near their limits all the time: u at the lower end of its rounding gives 2.315°, the "
+        "bound is 2.437°.",
         marks=("inferred", "consequence"),
     ),
     _readings.if_u_is_s(

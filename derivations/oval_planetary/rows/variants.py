@@ -51,8 +51,8 @@ ROWS = (
             all_of(
                 *(Definition(s, v if s in (e1, e2) else v * millimetre) for s, v in sizes.items())
             ),
-            note="The pair 3-6 is oval with e = 0.2 in every variant; a is not in the text at "
-            "hand, by (8) it is 25 mm where the wheels 4 and 5 are cylindrical.",
+            note="The pair 3-6 is oval with e = 0.2 in every variant. The text at hand does not "
+            "give a; by (8) it is 25 mm where wheels 4 and 5 are cylindrical.",
         )
         for number, sizes in VARIANTS.items()
     ),

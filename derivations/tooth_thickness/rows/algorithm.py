@@ -96,9 +96,9 @@ ROWS = (
                 reject(REJECTED[FULL], *HALF),
             ),
         ),
-        note="The interval recommended in the conclusions is written with a sign, U = ±2 µm, "
-        "this one without. Tip of IT6, steps as printed, normal laws, centred. Nor does the text "
-        "at hand say how a standard deviation follows from an IT grade.",
+        note="The conclusions write their interval with a sign, U = ±2 µm; this one has none. Tip "
+        "of IT6, steps as printed, normal laws, centred. Nor does the text at hand say how a "
+        "standard deviation follows from an IT grade.",
         marks=("calibrated",),
     ),
     PRINT.equation(
@@ -111,11 +111,11 @@ ROWS = (
             ),
         ),
         corrected=Correction(r"\Delta h=\Delta h_c\pm\tfrac12e_{dau}", HALF_OF_THE_DEVIATION),
-        note="The gauge stands on the tip circle, so that half the deviation of the diameter "
-        "counts, whichever way heights are counted, which the text at hand does not say: the "
-        "step fails with heights counted towards the tip (plus) and towards the centre "
-        "(minus). The correction is proved with both. The charge rests on the words 'diameter "
-        "of the tooth tips', in step 3 and column 4, not on a subscript.",
+        note="The gauge stands on the tip circle, so half the deviation of the diameter counts. "
+        "The text at hand does not say which way heights are counted: the step fails both towards "
+        "the tip (plus) and towards the centre (minus), and the correction is proved for both. "
+        "The verdict rests on the words 'diameter of the tooth tips', in step 3 and column 4, not "
+        "on a subscript.",
         marks=("rebuilt",),
     ),
     ours(
@@ -132,8 +132,8 @@ ROWS = (
             error_variance(K_m, K_m) - error_variance(-influence / 2, influence),
             3 * tan(alpha) ** 2 * sigma_tip**2,
         ),
-        note="The printed steps make the tip's part of the variance four times too large. The sign "
-        "does not matter to the variance; it shifts the mean if the tip or the gauge has a "
+        note="The printed steps make the tip's part of the variance four times too large. The "
+        "sign does not affect the variance; it shifts the mean if the tip or the gauge has a "
         "bias.",
         marks=("consequence",),
     ),

@@ -151,11 +151,10 @@ CLAIM_ROWS = (
             "the expected reading of the tooth lies inside the limits",
             {above: POSITIVE, below: POSITIVE},
         ),
-        note="The chance that a tooth is accepted whose expected reading lies q_1 and q_2 from the "
-        "limits falls as the normal error grows. With a centred gauge this holds for every "
-        "good tooth, so that for every law of the true deviation Fig. 4 rises and Fig. 5 "
-        "falls; a gauge with a bias, which is a parameter of the flow chart, accepts some "
-        "teeth more often the more it scatters.",
+        note="A tooth whose expected reading lies q_1 and q_2 inside the limits is accepted less "
+        "often as the normal error grows. With a centred gauge this holds for every good tooth: "
+        "for every law of the true deviation Fig. 4 rises and Fig. 5 falls. A gauge with a bias, "
+        "a parameter of the flow chart, accepts some teeth more often the more it scatters.",
     ),
     PRINT.claim(
         "(d)",
@@ -165,9 +164,9 @@ CLAIM_ROWS = (
             r"can be recommended}",
             GRADE_COARSER,
         ),
-        note="What is refuted: that IT8 changes the thickness by more than IT7, which is "
-        "recommended, does by the printed steps. The text at hand has no limit; any that admits "
-        "IT7 by the printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
+        note="Refuted: that IT8 changes the thickness by more than the recommended IT7 does by "
+        "the printed steps. The text at hand has no limit; any limit that admits IT7 by the "
+        "printed steps admits IT8 by the geometry, for degree 7 and every tolerance.",
         marks=("calibrated",),
     ),
     PRINT.claim(
@@ -196,9 +195,9 @@ CLAIM_ROWS = (
             "a limit error over 2.5 µm (2 sigma) or 3.7 µm (3 sigma), tip of IT6",
             {gauge_um: Interval.Lopen(Rational("1.2261"), GAUGE_UM)},
         ),
-        note="Influences are compared by standard deviations, with which the shares rise, by the "
-        "geometry and with the IT tolerance over K as that of the tip. The gauge of Table 1, 50 µm"
-        ", is above the crossover, the gauge recommended in (c), 2 µm, below it.",
+        note="Influences are compared by the standard deviations of the geometry, with which the "
+        "shares rise; that of the tip is the IT tolerance over K. The gauge of Table 1 (50 µm) is "
+        "above the crossover, the one recommended in (c) (2 µm) below it.",
         marks=("calibrated",),
     ),
     ours(

@@ -19,7 +19,7 @@ DESIGN_ROWS = (
     PRINT.claim(
         "data, height to the constant chord",
         PrintedNumber("2.243", at_angle(rack_height, 20)),
-        note="By the 20° from the constant chord, with an addendum of one module.",
+        note="With the 20° fitted to the constant chord, and an addendum of one module.",
         marks=("calibrated",),
     ),
     ours(
@@ -78,9 +78,9 @@ DESIGN_ROWS = (
             not_above(E_cs, -(-E_cs - T_c * place)),
         ),
         note="E_csu = E_cs - T_c p, 0 < p < 1, is any tooth that step 2 calls good; its decrease "
-        "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. To "
-        "simulate a decrease instead of a deviation does not help: step 2 would then admit "
-        "only decreases below E_cs.",
+        "is -E_csu. With E_cs = 12 µm as printed, good teeth may be thicker than nominal. "
+        "Simulating a decrease instead of a deviation does not help: step 2 would then admit only "
+        "decreases below E_cs.",
         marks=("rebuilt",),
     ),
     PRINT.claim(
@@ -189,9 +189,9 @@ INFLUENCE_ROWS = (
         "(1), influence 0.7284",
         good_to_the_last_place(excess_of_0_7284),
         on=HEIGHTS_TO_0_1_MM,
-        note="In its own words an approximation, for this wheel: judged to one micrometre, the "
-        "last place to which the paper gives deviations, for a height that is off by 0.1 mm, and "
-        "in proportion for less. See '(1), where 0.7284 is the slope'.",
+        note="An approximation, as the paper says. For this wheel it is judged to one micrometre, "
+        "the last place of the paper's deviations, at a height that is off by 0.1 mm, and in "
+        "proportion for less. See '(1), where 0.7284 is the slope'.",
         marks=("calibrated", "inferred"),
     ),
     ours(
@@ -224,9 +224,8 @@ INFLUENCE_ROWS = (
         "step 6, influence of the involute",
         good_to_the_last_place(excess_in_print),
         on=HEIGHTS_TO_0_1_MM,
-        note="In its own words an approximation, judged as (1) was; the product is never too "
-        "small: see 'step 6, excess of the linear model', on the page of the linearisation "
-        "bound.",
+        note="An approximation, as the paper says, judged as (1) was; the product is never too "
+        "small: see 'step 6, excess of the linear model', on the page of the linearisation bound.",
         marks=("rebuilt", "calibrated"),
     ),
     ours(

@@ -24,9 +24,10 @@ RECOMMENDED_SPREADS = (
 FINDINGS = (
     Finding(
         "step 5",
-        "The whole deviation of the tip diameter is added to the height, where only half of it "
-        "can enter, the deviation of the radius on which the gauge stands. Steps 6 and 8 hold "
-        "with heights counted towards the centre: there a larger tip circle counts as negative.",
+        "Step 5 adds the whole deviation of the tip diameter to the height. The gauge stands on "
+        "the tip circle, so only half of that, the deviation of the radius, can enter. Steps 6 "
+        "and 8 hold with heights counted towards the centre; a larger tip circle then counts as "
+        "negative.",
         costs=(
             Cost(
                 f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
@@ -64,10 +65,10 @@ FINDINGS = (
     ),
     Finding(
         "(d)",
-        "IT8 is rejected and IT7 recommended on the strength of steps of which the fifth counts "
-        "the whole deviation. With half of it, IT8 disturbs the measurement less than IT7 does by "
-        "the printed steps, and IT7 less than IT6: the recommended grades 6 and 7 are each one "
-        "grade too fine.",
+        "The paper rejects IT8 and recommends IT7 by steps that count the whole deviation of the "
+        "tip diameter. With half of it, IT8 disturbs the measurement less than IT7 does by the "
+        "printed steps, and IT7 less than IT6: the recommended grades 6 and 7 are each one grade "
+        "too fine.",
         costs=(
             Cost(
                 f"good teeth rejected, perfect gauge, {LAWS}",

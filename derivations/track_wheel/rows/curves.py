@@ -124,8 +124,8 @@ FIGURE_ROWS = (
             Equality(DISPLACED_DISTANCE, DISTANCE),
         ),
         note="A deviation of form changes the distance between some points of the track. By (15), "
-        "shift and turn move the part as a rigid body and change none: of a combined deviation of "
-        "form and location, the part of form is zero in (15), (17) and (18).",
+        "shift and turn move the part as a rigid body and change none: (15), (17) and (18) "
+        "contain no deviation of form.",
     ),
     PRINT.claim(
         "Fig. 4, values",
@@ -162,10 +162,10 @@ FIGURE_ROWS = (
             less(LESS_FEED.diff(depth), sp.Integer(0)),
             less(sp.Integer(0), cutting_force(sp.Integer(1)).diff(depth)),
         ),
-        note='It "can", so that one example proves it: if the force follows powers of depth and '
-        "feed, a feed that falls as the depth grows keeps it as low as it is at the least depth, "
-        "whereas at a constant feed it would grow. So it is reduced, too. The law of the force is "
-        "not in the transcription.",
+        note='It "can", so one example proves it. If the force follows powers of depth and feed, '
+        "reducing the feed as the depth grows keeps the force as low as at the least depth; at a "
+        "constant feed it would grow. So it is reduced, too. The law of the force is not in the "
+        "transcription.",
         marks=("inferred",),
     ),
     PRINT.claim(

@@ -40,10 +40,10 @@ ABC = product_of("ABC")
 FINDINGS = (
     Finding(
         "conclusions, total error",
-        "By Table 1 and the corrected (6), with all errors of one law and the others unchanged, "
-        "the total falls by less than a fifth even if the elastic error vanishes: the mounting "
-        "error, into which depth and feed do not enter, makes about half of the squared total. "
-        "How far the total did fall is lost with Fig. 5.",
+        "By Table 1 and the corrected (6), with one law for all errors and the others unchanged, "
+        "the total falls by less than a fifth even if the elastic error vanishes. The mounting "
+        "error, on which depth and feed have no influence, makes up about half of the squared "
+        "total. How far the total fell is lost with Fig. 5.",
         costs=(
             Cost(
                 "total of Table 1, all K = 1, Δ_T random",
@@ -82,9 +82,9 @@ FINDINGS = (
     ),
     Finding(
         "(6)",
-        "The length Δ_T is added to squares of lengths, so that the total depends on the unit, "
-        "and the index i of K_i is bound by nothing outside the sums. A random Δ_T belongs there "
-        "squared, a systematic one outside the root.",
+        "Δ_T, a length, is added to squares of lengths, so the total depends on the unit. Outside "
+        "the sums the index i of K_i has no meaning. A random Δ_T belongs under the root squared, "
+        "a systematic one outside it.",
         costs=tuple(
             Cost(
                 f"total of Table 1, all K = 1, Δ_T {kind}, computed in {unit}",
@@ -113,10 +113,10 @@ FINDINGS = (
     ),
     Finding(
         "Fig. 3, form and location",
-        "(15) moves the whole track as a rigid body, so that every distance between two of its "
-        "points stays: of a combined deviation of form and location, (15), (17) and (18) have "
-        "only the part of location. What varies along the profile, such as the elastic error of "
-        "an uneven allowance, is a deviation of form and enters none of them.",
+        "(15) moves the whole track as a rigid body and keeps the distance between any two of its "
+        "points. So (15), (17) and (18) contain only deviations of location, none of form. What "
+        "varies along the profile, such as the elastic error of an uneven allowance, is a "
+        "deviation of form and enters none of them.",
         costs=(
             Cost(
                 "turns of Table 1, points at R + A and z_13 = 0",
@@ -140,9 +140,8 @@ FINDINGS = (
     ),
     Finding(
         "Table 1, missing data",
-        "The transcription gives no values of the coefficients K and K_i, so that the total of "
-        "Table 1 cannot be recomputed; nor does it give z, H_s, a, b, c, S_i and n, which Figs. 3 "
-        "to 5 need as well.",
+        "The transcription gives no values of the coefficients K and K_i, so the total of Table 1 "
+        "cannot be recomputed. It also lacks z, H_s, a, b, c, S_i and n, which Figs. 3 to 5 need.",
         costs=(
             Cost(
                 "total of Table 1",
@@ -164,12 +163,12 @@ FINDINGS = (
     ),
     Finding(
         "(3)",
-        "The inner sum runs over k while its terms carry j, which nothing binds; (4) and the list "
-        "of symbols have j.",
+        "The inner sum runs over k, but its terms contain j, over which nothing is summed; (4) "
+        "and the list of symbols have j.",
         weight=Weight.FORMULA,
         check=Check(
-            "n = 2, K = 1, all K_i S_i T_i = 1, R_12 = 0.5: with j in the place of k the total is "
-            "√(1 + 1 + 0.5 + 0.5) = {0}; as printed, the terms hold a j that has no value.",
+            "n = 2, K = 1, all K_i S_i T_i = 1, R_12 = 0.5: with j in place of k the total is √(1 "
+            "+ 1 + 0.5 + 0.5) = {0}; as printed, the terms contain a j without a value.",
             (sp.sqrt(3),),
         ),
     ),

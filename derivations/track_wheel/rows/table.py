@@ -120,10 +120,10 @@ TABLE_ROWS = (
     PRINT.claim(
         "after roughing",
         exceeds_others(IT12),
-        note='It "can", so that one example proves it: the tolerance on size of grade 12, 0.35 '
-        "mm (ISO 286, 80 to 120 mm), which a form error may use up, compared with the other "
-        "errors of Table 1, each and all together. Those are of finish milling; the errors after "
-        "roughing are not in the transcription.",
+        note='It "can", so one example proves it: the tolerance on size of grade 12, 0.35 mm (ISO '
+        "286, 80 to 120 mm), which a form error may use up, compared with the other errors of "
+        "Table 1, each and all together. Those are of finish milling; the errors after roughing "
+        "are not in the transcription.",
         marks=("inferred",),
     ),
 )
@@ -180,7 +180,7 @@ CONSEQUENCES = (
         r"\Delta_n:2.0\,\%\text{ of }q=\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2"
         r"+\Delta_u^2",
         all_of(*rounded(("5.1", "49.4", "34.9", "2.0", "8.7"), map(share_of, FIVE_ERRORS))),
-        note="Mounting and elastic deformation make five sixths of the squared total, with all "
+        note="Mounting and elastic deformation make up five sixths of the squared total, with all "
         "coefficients 1. A random temperature error of 15 % of the total takes 2.25 % of its "
         "square; these are the shares of the rest.",
         marks=("consequence",),
@@ -204,8 +204,8 @@ CONSEQUENCES = (
             PrintedNumber("7.9", gain(elastic, others=UNIFORM)),
             PrintedNumber("5.0", gain_by_printed_sum(elastic)),
         ),
-        note="How far the bound of 19.3 % moves with what the text at hand does not have: for "
-        "normal laws K_i = 1, for uniform ones the square root of 3.",
+        note="How the bound of 19.3 % depends on the laws, which the text at hand does not have: "
+        "for normal ones K_i = 1, for uniform ones the square root of 3.",
         marks=("consequence",),
     ),
     ours(

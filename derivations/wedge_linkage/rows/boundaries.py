@@ -211,8 +211,8 @@ ROWS = (
         ),
         note="Half the change of y9 between the limits of each size alone, with the first set of "
         "reconstructed sizes (second; third). Five of them, those of the accelerating lever and "
-        "the clearance, make 94 to 95 % of the sum; tolerances of the roller lever three times as "
-        "wide would add a tenth to it.",
+        "the clearance, make up 94 to 95 % of the sum; tolerances of the roller lever three times "
+        "as wide would add a tenth to it.",
         marks=("consequence", "calibrated"),
     ),
     ours(

@@ -14,9 +14,9 @@ UPRIGHT_RUN = (l_KL * sp.cos(alpha_KL)).xreplace(limits(FIRST_SET, {}))
 FINDINGS = (
     Finding(
         SUBSTITUTED,
-        "(7) holds for R > 0 and (8) for R < 0, and the arctangents of both divide by R; the text "
-        "at hand has no case for R = 0. There KL is upright, in the middle of Fig. 4, and "
-        "y_9(x_1) has no value. Both cases tend to the same limit, so that a third one closes the "
+        "(7) holds for R > 0 and (8) for R < 0, and both divide by R inside the arctangent; the "
+        "text at hand has no case for R = 0. There, in the middle of Fig. 4, KL is upright and "
+        "y_9(x_1) has no value. Both cases tend to the same limit, so a third case closes the "
         "gap.",
         costs=(
             Cost(

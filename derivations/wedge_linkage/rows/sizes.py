@@ -155,7 +155,7 @@ ROWS = (
             Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
         ),
         note="A remark on the transcription, not on the print: as the curve of Fig. 4 goes on to "
-        "-40 mm, some digit of the table must be another one.",
+        "-40 mm, some digit of the table must have been misread.",
         marks=("uncertain",),
     ),
 )

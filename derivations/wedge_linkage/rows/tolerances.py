@@ -27,8 +27,8 @@ def no_influence(size: sp.Symbol) -> Conjunction:
 
 LOST = "digits of l_BC, l_CD and l_DE, and the upper deviations of the first two, are lost"
 HOW = (
-    "By 'boundaries, directions of the arms'; besides, the signs are shown by comparison at some "
-    "positions with combinations that differ in one size, and the order of the two alpha_KL"
+    "By 'boundaries, directions of the arms'. The signs are shown by comparison, at some "
+    "positions, with combinations that differ in one size; the order of the two alpha_KL is shown"
 )
 
 ROWS = (
@@ -76,25 +76,23 @@ ROWS = (
         "boundary II, from -37 mm on",
         r"\text{II lies above every other combination on }[-37,0]",
         in_all(lambda table: extreme(table, BOUNDARY_II, -37, (-37, -20, -5))),
-        note=f"{HOW} at x1 = -37 mm, which holds from there to 0. With the first and the third set "
-        "of reconstructed sizes the curve with -alpha_KL is higher at -40 mm, by less than "
-        "0.03 mm.",
+        note=f"{HOW} at x1 = -37 mm and holds from there to 0. With the first and the third set of "
+        "reconstructed sizes the curve with -alpha_KL is higher at -40 mm, by less than 0.03 mm.",
         marks=("calibrated", "uncertain", "ours"),
     ),
     PRINT.claim(
         "boundary III",
         in_all(lambda table: extreme(table, BOUNDARY_III, "-29.35", (-29, -5))),
-        note=f"{HOW} at x1 = -29.35 mm, up to where -29.4 may be rounded, which holds from there "
-        "to 0.",
+        note=f"{HOW} at x1 = -29.35 mm, up to where -29.4 may be rounded, and holds from there to "
+        "0.",
         marks=("calibrated",),
     ),
     PRINT.claim(
         "boundary IV",
         in_all(lambda table: extreme(table, BOUNDARY_IV, "-29.45", (-40, -35))),
-        note=f"{HOW} at x1 = -29.45 mm, from where -29.4 may be rounded, which holds from there to "
-        "-40. For the sign and the term that are lost -alpha_DE and +alpha_KL are taken: by the "
-        "sensitivities no other choice gives the lowest curve. IV then differs from III in "
-        "alpha_KL alone.",
+        note=f"{HOW} at x1 = -29.45 mm, from where -29.4 may be rounded, and holds from there to "
+        "-40. The lost sign and term are taken as -alpha_DE and +alpha_KL: by the sensitivities "
+        "no other choice gives the lowest curve. IV then differs from III in alpha_KL alone.",
         marks=("rebuilt", "calibrated", "uncertain"),
     ),
     PRINT.datum(
@@ -167,16 +165,16 @@ ROWS = (
         ),
         note="With the first set of reconstructed sizes (second). Relative to the nominal "
         "position the deviation is not largest at -40 mm: it grows towards the start of contact, "
-        'where the nominal position vanishes. So "reaches 10 %" is to be read of -40 mm alone.',
+        'where the nominal position vanishes. So "reaches 10 %" can refer to -40 mm alone.',
         marks=("consequence", "calibrated"),
     ),
     PRINT.claim(
         "all links contribute",
         all_of(*map(influence, BOUNDARY_II)),
-        note="The accelerating lever contributes by BC, CD, DE and alpha_DE, the rod and the link "
-        "5' by the clearance between them, the lever with rollers by KL, LM and alpha_KL: these "
-        "are all sizes with a tolerance but those that the paper itself excepts, see 'sizes "
-        "without influence'.",
+        note="The accelerating lever contributes through BC, CD, DE and alpha_DE, the rod and the "
+        "link 5' through the clearance between them, the lever with rollers through KL, LM and "
+        "alpha_KL: all sizes with a tolerance except those that the paper itself excludes, see "
+        "'sizes without influence'.",
         marks=("calibrated",),
     ),
     PRINT.claim(
@@ -186,7 +184,7 @@ ROWS = (
             "a further stage with a ratio above 1", {stage_ratio: sp.Interval.open(1, sp.oo)}
         ),
         note="A further stage of ratio k turns an error Delta into k Delta + delta, in amounts, "
-        "delta >= 0 being its own. A stage that reduces may pass on less than it takes in, as "
-        "lever and rod of this mechanism do at -40 mm, see 'ratios of the stages at -40'.",
+        "where delta >= 0 is its own error. A reducing stage may pass on less than it takes in, "
+        "as lever and rod of this mechanism do at -40 mm, see 'ratios of the stages at -40'.",
     ),
 )

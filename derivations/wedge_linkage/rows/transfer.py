@@ -58,7 +58,7 @@ GROUP_ROWS = (
         "group 1",
         defines=(AD,),
         note="Any polygon of four points closes; AD, from A on the pusher to the fixed D, is the "
-        "closing side. What is judged are its projections.",
+        "closing side. Its projections are judged.",
     ),
     PRINT.equation(
         "group 1, Ox",
@@ -81,7 +81,7 @@ GROUP_ROWS = (
         "(1)",
         derived={phi3: lever_angle},
         note="Compared with the two-argument arctangent of the solved projections. It holds even "
-        "farther, until the lever has turned by a right angle, which it does with no sizes within "
+        "farther, until the lever has turned by a right angle, which it does for no sizes within "
         "their limits; see the next row.",
         on=BEFORE_PIVOT,
         marks=("rebuilt",),
