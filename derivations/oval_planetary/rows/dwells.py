@@ -13,7 +13,10 @@ from ..mechanics import quotient as q, t_place as t
 
 BRANCH = Part("|x| < pi", {x: sp.Interval.open(-sp.pi, sp.pi)})
 PROPER = Part("0 < e2 < 1", {e2: OVAL})
-RETURNS = Part("q k < 1 < k/q, where the ratio changes its sign", where=(q * k < 1, q < k))
+RETURNS = Part(
+    "q k < 1 < k/q or k/q < 1 < q k, where the ratio changes its sign",
+    where=((1 - q * k) * (k - q) > 0,),
+)
 HALF = sp.tan(x / 2)
 OF_E = (1 - e2) / (1 + e2)
 QUARTER = sp.pi * R5 / (2 * R4)
