@@ -1,4 +1,4 @@
-"""What the README and the pages beside it show is what a user gets."""
+"""What the README, the pages beside it and docstrings show is what a user gets."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import re
 import shlex
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -31,6 +32,11 @@ BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, te
 TYPED = (">>", "..", "$ ")
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
 MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]
+DOCUMENTED = [
+    ".".join(file.relative_to(ROOT / "src").with_suffix("").parts).removesuffix(".__init__")
+    for file in sorted(ROOT.glob("src/**/*.py"))
+    if ">>> " in file.read_text(encoding="utf-8")
+]
 
 
 @pytest.mark.slow(together=True)
@@ -43,6 +49,14 @@ def test_examples_print_what_they_show(
     examples = "\n".join(block for block in BLOCKS[name] if ">>>" in block)
     test = doctest.DocTestParser().get_doctest(examples, {}, name, name, 0)
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+@pytest.mark.slow(together=True)
+@pytest.mark.parametrize("module", DOCUMENTED)
+def test_docstrings_print_what_they_show(module: str) -> None:
+    result = doctest.testmod(import_module(module))
     assert result.attempted > 0
     assert result.failed == 0
 

@@ -7,7 +7,7 @@ The carrier's derivatives are taken from samples or from a function.
 >>> drive = EllipticPlanetary.published(2)
 >>> motion = drive.at(0.5, speed_rpm=120)
 >>> print(f"{motion.speed:.3f} rad/s = {motion.speed_rpm:.1f} rpm")
-36.541 rad/s = 348.9 rpm
+36.543 rad/s = 349.0 rpm
 """
 
 from __future__ import annotations
