@@ -150,6 +150,7 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
         ["(2)", "(3)"],
     ),
 }
+LONG = ("a sign of an angle", "an acceleration alone", "crank and coupler in line, wrong")
 # Prints, and what is said before the last one or in the block: none is accused.
 EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
     "another letter": (("k=mn", "k=mu"), "", ""),
@@ -253,7 +254,10 @@ def test_what_holds_in_an_example_contradicts_nothing_elsewhere() -> None:
         assert judge_parts(f"{BLOCK}%% end\n", *parts, *behind)[2] == outcome
 
 
-@pytest.mark.parametrize("name", CONTRADICTIONS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.slow] if n in LONG else []) for n in CONTRADICTIONS],
+)
 def test_of_two_prints_that_contradict_each_other_neither_is_accused(name: str) -> None:
     equations, pair = CONTRADICTIONS[name]
     rows = {row.name: row for row in judge_rows(f"{BLOCK}%% end\n", *equations)}

@@ -149,6 +149,7 @@ def test_angles_lose_a_digit_for_each_decade_of_small_motion(
             assert np.all(np.abs(np.diff(lost) - 9.97) < 3), (name, lost)
 
 
+@pytest.mark.slow
 def test_the_hole_at_r_zero() -> None:
     alpha = np.linspace(0.3, 1.3, 40)
     arguments = 60 * np.cos(alpha), np.full(40, 60.0), alpha
