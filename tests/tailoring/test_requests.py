@@ -16,18 +16,22 @@ from mechproof.tailoring.request import prove_periodicity, read_request
 
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}
-# That of the ovals takes nine seconds.
-LONG = {("oval_planetary", "jerk"): [pytest.mark.slow]}
+MOTION = ("ratio", "position", "acceleration", "jerk")
+# By their names: each worker collects every test, and loads a paper where it is needed.
 PERIODIC = [
-    pytest.param(system, quantity.name, marks=LONG.get((system, quantity.name), []))
-    for system in ("elliptic_planetary", "oval_planetary")
-    for quantity in paper_of(system).quantities
-    if quantity.periodicity
+    *(("elliptic_planetary", name) for name in MOTION),
+    *(("oval_planetary", f"{name}{gears}") for name in MOTION for gears in ("", "_cylindrical")),
 ]
 
 
 def quantity_of(system: str, name: str) -> Quantity:
     return next(one for one in paper_of(system).quantities if one.name == name)
+
+
+def test_what_comes_again_is_listed() -> None:
+    systems = sorted({system for system, _ in PERIODIC})
+    found = [(s, q.name) for s in systems for q in paper_of(s).quantities if q.periodicity]
+    assert sorted(found) == sorted(PERIODIC)
 
 
 @pytest.mark.slow
