@@ -15,7 +15,7 @@ from mechproof.record import Row
 from mechproof.sources.located_text import Place
 from mechproof.tools.processes import WorkerError
 
-# A member of a family, with what runs through it: d_{bi}[1].
+# A member of a family with a value of its index, such as d_{bi}[1].
 _MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
 
 

@@ -72,7 +72,7 @@ _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
     "which in the block of letters: identity, or constraint"
 )
-# A text that is not the name of a file may be an equation.
+# Tells those who pass an equation where a file name belongs.
 _PASTED = "to judge an equation, use mechproof.judge_equation"
 
 
@@ -274,6 +274,6 @@ def _is_special(task: Task, row: CheckedRow) -> bool:
     """Return whether a row is open and reads differently at the values stated beside it."""
     verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
     is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
-    # What may be another case of a definition may be this case.
+    # A row that may be another case of a definition may be the case that the words state.
     is_open = is_open or task.is_solution
     return bool(is_open) and task.special is not None and task.special.row.says != task.row.says

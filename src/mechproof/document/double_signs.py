@@ -25,15 +25,15 @@ from mechproof.nomenclature.symbol_names import DOUBLE
 from mechproof.record import Definition, Equality, Row, ValueWhere
 from mechproof.sources.displays import Printed
 
-# What a print with a double sign may do.
+# Roles that a print with a double sign may have.
 _SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
-# What says which number a letter has.
+# Fields of a sign that say which number a letter has.
 _COUNTED = ("letter", "number", "value", "unit")
-# Both letters, by the name of what is printed of both.
+# The two letters x_1 and x_2, by the name of x_{1,2}, which is printed for both.
 Pairs = Mapping[str, Sequence[str]]
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _EXPONENTIAL = re.compile(r"e\s*\}?\s*\^\s*\{\s*[-+]?\s*([ij])(?!\s*[_}])")
-# Upright it is no index, and begins a term, a side or an exponent.
+# An upright i or j that begins a term, a side or an exponent is no index.
 _UPRIGHT = re.compile(
     r"(?:\A|[-+=(&]|(?<![_^])\^\s*\{)\s*(?:\\mathrm|\{\\rm)\s*\{?\s*(?P<unit>[ij])\s*\}"
 )
@@ -78,7 +78,7 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
         return []
     if sign.role is Role.DEFINITION:
         if sign.letter not in own.values:
-            # What is said of a range alone gives the letter no value.
+            # A definition for one range only gives the letter no value.
             return []
         sign = replace(sign, sides=(sign.letter, own.values[sign.letter]))
     sides = sorted(sign.sides, key=lambda side: side.has(SIGN))
@@ -92,7 +92,7 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
     if not is_one_sided or any(map(is_matrix, sides)):
         return []
     halves = _find_halves(sides[0], sides[1], known, pairs)
-    # Rows of the two letters are about what is printed of both.
+    # Later rows about either letter refer to what is printed for both.
     known.met.update(halves)
     solved = replace(sign, role=Role.SOLUTIONS, sides=tuple(sides), number="", halves=halves)
     return [solved, *steps]

@@ -34,26 +34,25 @@ from mechproof.sources.paper_files import read_source
 from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
 
-# How the row of one sign of a chain is called.
+# The end of the name of a row that is one sign of a chain.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
-# What is compared, even if letters that only one side has could make both sides equal.
+# Roles of rows whose sides are compared even if letters on one side only could make them equal.
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
-# Seconds for one equation.
+# Seconds that reading, or judging, one equation may take.
 LIMIT = 60.0
-# What is said of a member that a row differs from.
+# Completes the reason of a row that differs from another value of the same letter.
 UNLIKE = ", which has the same letters: one is wrong, or of another case"
 TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
 )
-# Numbers and prints of rows that are judged elsewhere, each with the count of what its row states.
+# Rows that are judged elsewhere: each print, with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
-# Where a paper comes from, and what is judged elsewhere; the rows of papers that are at work: a
-# process that was forked finds here what its parent had. SymPy would work relations out on their
-# way through a pipe.
+# The rows of the papers at work, by path, content and the rows judged elsewhere. They are global so
+# that a forked process inherits them: sent through a pipe, SymPy would evaluate relations.
 Key = tuple[str, str | None, Elsewhere]
 opened: dict[Key, list[Task]] = {}
-# Rows that have become others, by their numbers.
+# Rows that have changed, with their numbers.
 Changes = Iterator[tuple[int, CheckedRow]]
 
 
@@ -230,7 +229,8 @@ def judge_members(
     compared = [one for one in (task, *task.others) if one.sign.first in names]
     answers = [(_judge_alone(one), one) for one in compared]
     for wanted in (Verdict.PROVED, Verdict.REFUTED):
-        # A member behind a step that is not shown may be meant for a case: it accuses nobody.
+        # A later member, behind a step that is not shown, may be meant for a case: it accuses
+        # nobody.
         alone = answers[:1] if wanted is Verdict.REFUTED and compared[0] is task else answers
         for found, one in alone:
             if isinstance(found, Judgement) and found.verdict is wanted:

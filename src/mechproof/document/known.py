@@ -21,11 +21,11 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.sources.announcements import NOTHING, Announced
 
 Values = dict[sp.Basic, Any]
-# What gives the rates in time of letters that depend on one that moves.
+# Named as the source of time derivatives of letters that depend on a moving one.
 CHAIN_RULE = "the chain rule"
-# Where a value was said that no equation prints.
+# Named as the source of values that no equation prints.
 BLOCK = "the block of letters"
-# Matrices, each with its value and what prints it.
+# Matrices, each with its value and the name of the equation that prints it.
 Later = dict[sp.Basic, tuple[sp.MatrixBase, str]]
 _CLOSED = (sp.Le, sp.Ge)
 
@@ -153,10 +153,10 @@ class Known:
                 value = self._show_moving(self.values[above], by)
                 derivative = differentiate(value, by, self.symbols.moving)
             except ValueError:
-                # Of its letters no derivative of so high an order has a symbol.
+                # Its letters have no symbols for derivatives of so high an order.
                 break
             if self.is_shown(rate, derivative):
-                # Of y = \dot y^2.
+                # The derivative contains itself, as that of y = \dot y^2 does.
                 break
             self.values[rate] = derivative
             self.printed[rate] = name

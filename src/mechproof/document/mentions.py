@@ -27,7 +27,7 @@ _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
-# What a number behind it is no size of.
+# Nodes beside which a number is not the size of a letter.
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.

@@ -24,8 +24,8 @@ from mechproof.statement_domains.dimension_inference import is_angle
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "separating balls"
-# Points that are tried, more if too few are met; points with values that are enough, and at how
-# many a mended print holds.
+# Points that are tried, and that are tried if too few fit; fitting points that are enough; points
+# at which a mended print has to hold.
 _COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
@@ -75,7 +75,7 @@ def find_misprint(
     for change in islice(changes, MOST if places else 0):
         mended = state(change.sides)
         holds = _holds_often(mended, values, are_angles=are_angles)
-        # Nobody means a print of which both sides come to nothing.
+        # Nobody would print an equation both of whose sides are zero.
         holds = holds and (0 in mended or not all(_vanish(side, values) for side in mended))
         if holds and not _is_trivial(mended, repeated, known | zeros, are_angles=are_angles):
             evidence = _show(sides, given, domain, places)
@@ -121,7 +121,7 @@ def _find_failures(
     for count in _COUNTS:
         points = []
         for point in find_points(given, letters, domain, count):
-            # Where lengths shrink to nothing, or one has no end, much is true.
+            # Lengths near zero, or very large ones, make much true that is not true in general.
             if all(_NEAR < abs(value) < 1 / _NEAR for value in point.values()):
                 agrees = agree(resolved, point, are_angles=are_angles)
                 if agrees:

@@ -147,7 +147,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         sides = one, other = turn((nodes[0], nodes[1]), worked_out)
     except ReadingError:
         if has_place(nodes):
-            # What it is a value of may be printed behind it.
+            # It is a value at a place; what it is a value of may be printed behind it.
             return Sign(Role.VALUE)
         raise
     _note_arcs(read, nodes, sides, known)

@@ -36,15 +36,16 @@ from mechproof.statement_domains.dimension_inference import (
     infer_common,
 )
 
-# What has no value, or another formula, in places.
+# Functions that in places have no value, or are given by another formula.
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
-# What has no number here, or only after long.
+# Expressions that have no number here, or take long to evaluate.
 SLOW = (sp.Piecewise, sp.Limit, sp.Integral, sp.Sum, sp.Product)
-# What is the same between steps.
+# Functions that are constant between their steps.
 _STEPS = (sp.floor, sp.ceiling)
-# A difference that is none.
+# Differences up to this size count as zero.
 _SMALL = 1e-12
-# A logarithm of a length is a difference of two that may be printed elsewhere.
+# Functions whose arguments must be numbers. Not the logarithm: that of a length may be part of a
+# difference whose other term is printed elsewhere.
 _OF_NUMBERS = (TrigonometricFunction, InverseTrigonometricFunction, HyperbolicFunction, sp.exp)
 _BINDING = (sp.Integral, sp.Sum, sp.Product, sp.Limit, sp.Derivative, sp.Subs, ValueWhere)
 _TOLD = 3
@@ -164,10 +165,10 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
     if isinstance(side, sp.MatrixExpr) or side.has(*SLOW, *_STEPS):
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
-    # Of one denominator they could be whole periods apart.
+    # With the same denominator they might be whole periods apart.
     points = (sp.Rational(8, 13), sp.Rational(-17, 11), sp.Rational(32, 7))
     places = [{**values, letter: point} for point in points]
-    # Balls are the sooner; of what they do not know, or enclose widely, SymPy finds the value.
+    # Balls are faster; SymPy evaluates what they do not know, or enclose too widely.
     with suppress(NotImplementedError):
         one, *others = (balls.evaluate(side, place, 64) for place in places)
         off = [abs(one - other) for other in others]
@@ -175,7 +176,7 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
             return False
         if all(distance < _SMALL for distance in off):
             return True
-    # Put in exactly, powers of powers would have no end.
+    # Exact substitution would never end for powers of powers.
     found = [side.evalf(subs=place) for place in places]
     return all(one.is_finite and abs(one - found[0]) < _SMALL for one in found)
 

@@ -20,11 +20,11 @@ _EXPONENTS = {
 }
 _DIGITS = tuple(map(sp.Integer, range(1, 10)))
 
-# How many digits of a number say which is meant, and with how many two may be wrong.
+# Fewest digits of a number that identify it, and from how many on two may be wrong.
 _FEWEST_DIGITS = 3
 _LONG = 5
 
-# How it is told that a change is one of a definition.
+# Says in a reason that the change is in a definition.
 WITHIN = " in what defines "
 
 Sides = tuple[sp.Expr, sp.Expr]
@@ -128,7 +128,7 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
         yield from (part + letter for letter in letters)
     elif isinstance(part, TURNING):
         yield part**2
-        # SymPy does not keep which way round a difference is printed.
+        # SymPy does not preserve the order in which a difference is printed.
         terms = sp.Add.make_args(part.args[0])
         is_difference = len({term.could_extract_minus_sign() for term in terms}) > 1
         signs = (1, -1) if is_difference else (1,)
@@ -143,7 +143,7 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     elif part.is_Integer:
         yield from _DIGITS
     elif isinstance(part, sp.Mul):
-        # Left out, or on the other side of the bar.
+        # A factor that is left out, or stands on the wrong side of the fraction bar.
         yield from (part / factor for factor in part.args)
         yield from (part / factor**2 for factor in part.args if not factor.is_number)
         yield from _move_bracket(part)

@@ -283,7 +283,7 @@ class Document:
             with limit_time(self.limit):
                 return act()
         except ReadingError as error:
-            # Where no letters could be taken, that some are not declared is no reason.
+            # If letters could not be collected here, that some are undeclared is not the reason.
             return self._refuse(printed, self._uncollected.get(printed.latex.string, error))
         except RecursionError:
             return self._leave(printed, State.NOT_READ, TOO_DEEP)
@@ -291,7 +291,7 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, str(error))
         except _UNFIT as error:
             _, told, reason = str(error).partition(f"row {printed.name!r}: ")
-            # What follows tells authors of modules what to declare.
+            # The rest tells authors of modules what to declare.
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
             known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)

@@ -22,7 +22,7 @@ from mechproof.record import Conjunction, Equality, Equation, Paper, Part, Row, 
 from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Files
 
-# A derivative of what has so many operations takes long, and nothing is found to follow from it.
+# Work limit: derivatives of longer expressions take long, and nothing was found to follow.
 _MOST = 1_000
 
 

@@ -56,7 +56,7 @@ from mechproof.sources.displays import Printed
 from mechproof.sources.lines import count_signs
 from mechproof.sources.located_text import Files
 
-# What is compared at values that are said of letters beside it, too.
+# Roles of rows that are also compared at values which words beside them state.
 _SPECIAL = (Role.REPEATED, Role.DERIVATIVE, Role.STEP, *CONSTRAINING)
 
 
@@ -217,7 +217,7 @@ class TaskMaker:
         is_claimed = is_listed(printed, [*block.identities, *block.modulo, *block.follows])
         is_claimed &= sign.role is not Role.DEFINITION
         asserts = is_claimed or self._asserts(printed, row.says, sign, sides)
-        # Of what is equal in some positions the derivatives are not.
+        # Sides that are equal in some positions only have different derivatives.
         has_rates = residual is not None and sign.role is not Role.STEP
         rates = tuple(list_rates(residual, at, self.known)) if has_rates else ()
         is_either = self._is_either(printed, sign, sides)

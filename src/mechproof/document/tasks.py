@@ -39,11 +39,12 @@ class Role(StrEnum):
     RELATION = "relation"
 
 
-# What is taken as given.
+# Roles of rows that are taken as given.
 CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
-# A letter over which a part of a print goes alone, and the letters of that part.
+# A letter over which a part of a print is integrated, summed or differentiated, and the letters of
+# that part.
 Varied = tuple[sp.Basic, frozenset[sp.Basic]]
 
 

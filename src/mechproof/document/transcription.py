@@ -18,7 +18,7 @@ from mechproof.sources.displays import Printed, find_displays
 from mechproof.sources.paper_files import read_source
 
 R = TypeVar("R", bound=Row)
-# Kept by `split`, as it is a group.
+# A group, so that `split` keeps the commands.
 _COMMAND = re.compile(r"(\\[a-zA-Z]+)")
 
 

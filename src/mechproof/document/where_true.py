@@ -24,7 +24,7 @@ from mechproof.record import Conjunction, Equality, Holds, Part, RecordError, St
 from mechproof.record.parts import TURNING
 from mechproof.statement_domains.domain import Domain
 
-# How far a row is never true: those that define its letters may be wrong instead.
+# Completes the reason of a row that is never true: the definitions may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"
 _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)

@@ -24,9 +24,9 @@ from mechproof.record import Equality, list_divisors
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
-# Operations of residuals beyond which no multiplier is looked for.
+# Work limit: operations of a residual for which a multiplier is looked for.
 LARGEST = 1000
-# Products of constraints with monomials beyond which no sum is looked for.
+# Work limit: products of constraints with monomials among which a sum is looked for.
 MOST_PRODUCTS = 300
 # Stands for pi in polynomials.
 _PI = sp.Dummy("pi", positive=True)
@@ -117,7 +117,7 @@ def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
     """Return the factors by which an expression is divided, as tangents are by cosines."""
     below = sp.Mul(*list_divisors(expression))
     if any(power.exp.could_extract_minus_sign() for power in below.atoms(sp.Pow)):
-        # By the fractions in it is divided elsewhere.
+        # Fractions within the divisors are left out: their own divisors are listed separately.
         below = sp.numer(sp.together(below))
     return list_factors(below)
 
@@ -134,7 +134,7 @@ def _list_written_out(factor: sp.Expr) -> list[sp.Expr]:
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
     """Return whether multipliers have values where the residual has one."""
     own = {*list_factors_below(residual)}
-    # Multipliers have tangents, and the sines of sums, written out.
+    # Multipliers contain tangents, and sines of sums, in expanded form.
     own |= {factor for one in own for factor in _list_written_out(one)}
     own |= {-factor for factor in own}
     divisors = {factor for one in multipliers for factor in list_factors_below(one)} - own
@@ -153,7 +153,7 @@ def _combine(
     met = set().union(*(p.free_symbols for p in (target, *parts, *circles)))
     if not met:
         return None
-    # A root comes before what it is a root of.
+    # In the order of the ring a root comes before the letters under it.
     letters = sorted(met, key=lambda s: (not isinstance(s, sp.Dummy), str(s)))
     ring = PolyRing(letters, sp.QQ, lex)
     try:
@@ -163,7 +163,7 @@ def _combine(
     sums = [_read_polynomial(one, ring) for one in parts]
     known = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
     factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in known}
-    # Squares of constraints may cancel only by circles.
+    # Squares of constraints may cancel by sin^2 + cos^2 = 1 only, which doubles the degree.
     most = max([_degree(goal), *(2 * _degree(one) for one in sums if zeros)])
     products = [
         (n, factor)
@@ -173,7 +173,7 @@ def _combine(
     ]
     if len(products) > MOST_PRODUCTS:
         return None
-    # What a factor of it is a sum of, it is a sum of, too.
+    # If a factor of the goal is such a sum, so is the goal.
     goals = dict.fromkeys((goal, *(factor for factor, _ in goal.factor_list()[1])))
     near = dict.fromkeys(pair for one in goals for pair in _list_near(one, sums))
     if len(products) + len(near) <= MOST_PRODUCTS:

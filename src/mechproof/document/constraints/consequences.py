@@ -28,10 +28,10 @@ from mechproof.statement_domains.domain import Domain
 MULTIPLE = "multiple of a constraint"
 COMBINATION = "combination of constraints"
 SQUARE = "square of a root"
-# How rows follow from constraints.
+# Names of the rungs by which rows follow from constraints.
 FOLLOWING = (MULTIPLE, COMBINATION, SQUARE)
 GIVEN = "definition"
-# What remains to be said where the square of a row follows.
+# Completes the reason of a row that follows by its square.
 ROOT = ", as the root is, is taken as given"
 
 

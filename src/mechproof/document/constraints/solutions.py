@@ -28,9 +28,9 @@ from mechproof.statement_domains.domain import Domain
 
 SIGN = sp.Symbol("±", real=True)
 SUBSTITUTION = "substitution"
-# How far angles are equal that differ.
+# Completes the reason for angles that are equal by their directions.
 _TURNS = ", up to whole turns"
-# What two letters are tied by, whichever of them has the upper sign.
+# The two constraints on the letters of x_{1,2}, whichever of them has the upper sign.
 _JOINED: dict[str, type[sp.Expr]] = {"sum": sp.Add, "product": sp.Mul}
 
 
@@ -138,7 +138,7 @@ class Solutions:
             # With cos a - cos b = -2 sin((a + b)/2) sin((a - b)/2).
             turned = self.left - (one + other) / 2
             return Equality(sp.cos(turned), sp.cos((one - other) / 2), "member")
-        # Of the product the root in both values leaves nothing.
+        # The root in both values cancels in their sum and in their product.
         total, times = (sp.cancel(sp.expand(x)) for x in (one + other, one * other))
         rest = self.left**2 - total * self.left + times
         return Equality(rest, sp.S.Zero, "member")
@@ -194,7 +194,7 @@ class Solutions:
             return says.printed, says.rebuilt
 
         entry = PrintedSides((self.left, self.value), (not self.left.is_Symbol, True))
-        # To become the constraint that it solves is what a print is mended for.
+        # A print is mended if it then solves its constraint, so repeating that is no objection.
         return find_misprint(entry, given, domain, printed, state=state)
 
     def name_half(self, value: sp.Expr) -> Solutions:

@@ -27,17 +27,18 @@ from mechproof.statement_domains.preparation import take_values
 _STARTS = 16
 _STEPS = 60
 _DIGITS = 30
-# What a singular value is to the largest where equations are taken to be dependent.
+# Ratio to the largest singular value below which equations are taken to be dependent.
 _DEPENDENT = 1e-11
 _NEAR = 1e-9
 _SMALL = mpmath.mpf(10) ** -20
 _BITS = 192
-# How near to a point a zero is looked for.
+# Radius around a point within which a zero is looked for.
 _RADIUS = arb(2) ** -40
 _TINY = arb(2) ** -64
 _POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
 _NEGATIVE = sp.Interval.open(-sp.Rational(3, 2), 0)
-# What is divided by zero, has no real value, or no name in mpmath, is no witness.
+# Errors at places where something is divided by zero, has no real value, or is unknown to mpmath;
+# such a place is no witness.
 _NONE = (
     np.linalg.LinAlgError,
     ArithmeticError,
@@ -49,7 +50,7 @@ _NONE = (
 )
 
 Vector = list[mpmath.mpf]
-# Values of the residuals at a place, and their slopes.
+# Returns the residuals at a place, and their slopes.
 System = Callable[..., tuple[Vector, list[Vector]]]
 Point = dict[sp.Basic, sp.Expr]
 
@@ -218,7 +219,7 @@ def _solve(slopes: Sequence[Vector], values: Vector) -> list[float]:
     left, right = (np.array(side, dtype=float) for side in (slopes, values))
     if not (np.isfinite(left).all() and np.isfinite(right).all()):
         raise ArithmeticError("no finite slopes")
-    # Numbers of Python: what they are divided by is an error if it is zero.
+    # Python's floats, as a division by zero must raise an error.
     found: list[float] = np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0].tolist()
     return found
 

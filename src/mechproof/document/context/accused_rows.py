@@ -50,9 +50,9 @@ def find_misprints(at: Judging) -> Changes:
         n: tuple(connect(n, [g for g in given if may_hold_for(tasks[g], task)], tasks))
         for n, task in enumerate(tasks)
         if may_be_misprint(task, rows[n])
-        # What ties the roots of a constraint is as right as that.
+        # The ties between the roots of a constraint are as right as the constraint.
         and not (task.sign.is_tied and task.sign.first in proved)
-        # Of a letter whose first prints differ nobody knows which is meant.
+        # If the first prints of a letter differ, nobody knows which one is meant.
         and not (task.others and len(list_standing(task, tasks, rows)) > 1)
     }
     accused = {n: found for (n, _), found in _accuse(at, [*asked.items()]).items()}
@@ -71,7 +71,7 @@ def find_misprints(at: Judging) -> Changes:
         without.append((n, tuple(kept)))
     still = _accuse(at, without)
     pairs = [pair for pair, one in zip(rivals, without, strict=True) if one not in still]
-    # What only one accuses that is wrong without it is not accused.
+    # A row is not accused if its only accuser is itself wrong without it.
     kept_pairs = {*rivals} - {*pairs}
     cleared = {n for n, other in pairs if (other, n) in kept_pairs}
     accused = {n: one for n, one in accused.items() if n not in cleared}
@@ -103,7 +103,7 @@ def _ask_definitions(
     """
     tasks = at.tasks
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
-    # A definition of one of its letters by all others is about the same.
+    # A later definition of a letter by all the others is the same equation solved for it.
     printed = [list_printed(task) for task in tasks]
     later = [(n, m) for n, m in later if printed[m] == printed[n] and defines(tasks[m], printed[n])]
     needed = _find_needed(at, {n for n, _ in later})
@@ -149,7 +149,7 @@ def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
     pairs = [(other, n) for other in others for n in following if other < n]
     asked = [(n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
     found = dict(at.ask(judge_beside, asked))
-    # What took too long may follow without it.
+    # A row that took too long may follow without it.
     without = {one for one, x in found.items() if isinstance(x, WorkerError) or is_proof(x)}
     return {other for (other, _), one in zip(pairs, asked, strict=True) if one not in without}
 

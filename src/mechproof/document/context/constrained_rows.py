@@ -28,9 +28,9 @@ from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Conjunction, Equality
 
-# How it is known that a step of a chain is a constraint.
+# Rung of a step of a chain that is taken as a constraint, as further rows follow from it.
 SUPPORTED = "constraint"
-# What may yet follow from constraints.
+# Verdicts of rows that are not proved by themselves, and are tried beside constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
@@ -47,7 +47,7 @@ def follow_from_constraints(at: Judging) -> Changes:
             if is_proof or not proved:
                 yield n, row
             proved |= {n} if is_proof else set()
-        # Without what was shown to follow fewer are left, of which one may be found to follow.
+        # With the proved rows left out, a smaller set of constraints may let another row follow.
         fewer = {n: tuple(g for g in given if g not in proved) for n, given in asked.items()}
         asked = {n: x for n, x in fewer.items() if x and n not in proved and x != asked[n]}
 
@@ -115,7 +115,7 @@ def excuse_by_constraints(at: Judging) -> Changes:
     """
     tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
-    # What a letter of its own makes true says nothing of others, nor do its derivatives.
+    # An equation that a letter of its own can always satisfy says nothing about other rows.
     given = [g for g in given if not tasks[g].is_loose]
     numbers = []
     for n, task in enumerate(tasks):
@@ -195,11 +195,11 @@ def doubt_by_premises(at: Judging) -> Changes:
     for n in [n for n, found in judged if found and found.rung in FOLLOWING]:
         given = [g for g in list_applicable(bound, n, tasks) if _have_common(tasks[g], tasks[n])]
         doubted = [g for g in given if g in refuted | contested]
-        # What follows from a step of a chain says so.
+        # A row that follows from a step of a chain names it.
         said = [g for g in doubted if tasks[g].row.number in rows[n].reason]
         doubted = [g for g in doubted if g in said or tasks[g].sign.role is not Role.STEP]
-        # What is proved itself may be so by these.
-        # What follows by its square says which root is meant.
+        # A constraint that is itself proved may rest on these. One that follows by its square says
+        # which root is meant.
         squares = {g for g in given if (row := rows[g].judgement) and row.rung == SQUARE}
         certain = tuple(g for g in given if g in squares or is_constraint(tasks[g], rows[g]))
         rivals = {g: _list_denied(n, g, defining, at) for g in doubted if g in contested}

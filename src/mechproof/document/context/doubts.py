@@ -21,11 +21,11 @@ from mechproof.record import Definition, Equality
 from mechproof.record.parts import find_free
 from mechproof.statement_domains.domain import Domain
 
-# Two digits of a decimal.
+# Largest relative difference that rounding to two digits explains.
 ROUNDING = sp.Rational(1, 100)
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
-# Strengths and stiffnesses have factors such as 64, 192 or 384.
+# Factors with a prime above 5 may be of strength or stiffness, as 64, 192 and 384 are not.
 _LARGE, _PRIME = 100, 5
 
 
@@ -111,7 +111,7 @@ def _list_indices(task: Task) -> set[sp.Basic]:
             if isinstance(s, sp.Indexed)
             for i in sp.Tuple(*s.indices).free_symbols
         }
-        # A sum has its members among its free symbols, though not its index.
+        # SymPy counts the members of a sum among its free symbols, but not its index.
         & find_free(side)
         for side in sides
     ]

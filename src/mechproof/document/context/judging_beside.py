@@ -134,7 +134,7 @@ def _find_misprint(
     tasks: Sequence[Task], number: int, others: Sequence[int], *, may_repeat: bool
 ) -> tuple[Task, Misprint, str] | None:
     """Return a row that may be a misprint, what mends it, and what it is compared with."""
-    # Nothing said of a case accuses what is said of all.
+    # What is said of one case does not accuse what is said of all.
     task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
     try:
         domain = Domain.of(task.paper, task.row.on)
@@ -148,7 +148,8 @@ def _find_misprint(
         if any(at and _may_hold_at(at, task, constraints) for at in cases):
             return None
         plain = [one for one in constraints if not one.sign.is_tied]
-        # What becomes one that stands elsewhere is no misprint, unless it is meant to be the same.
+        # A print that would become another one of the paper is no misprint, unless it should repeat
+        # it.
         is_same = task.asserts or task.sign.is_tied or may_repeat
         printed, repeated = _list_printed(tasks), None if is_same else [*_list_given(task, plain)]
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}

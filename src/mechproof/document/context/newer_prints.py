@@ -34,7 +34,7 @@ from mechproof.record.statements import list_parts
 from mechproof.sources.announcements import Announced
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
-# Beyond so many newer prints they are tried only all together.
+# Work limit: newer prints of letters that are tried in all combinations, not only together.
 _MANY = 4
 
 

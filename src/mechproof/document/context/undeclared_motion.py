@@ -25,7 +25,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError
 
 _COUNT = 4
-# What a singular value is to the largest slope where a letter is free to move.
+# Ratio to the largest slope below which a singular value means that a letter is free to move.
 _FREE = 1e-9
 
 
@@ -66,7 +66,7 @@ def doubt_by_ties(at: Judging) -> Changes:
                 continue
             tied, given = ties[by]
             met = tied & reach({at.symbols.find_steps(s)[1][0] for s in inside}, tasks)
-            # Letters that it does not have may move instead, one for each constraint.
+            # Letters that the row lacks may move instead, one for each constraint.
             if met and len(tied - letters) < len(given):
                 reasons.append(_tell_tie(given, min(map(str, met)), by))
         if reasons and task.sign.role is Role.DEFINITION and task.sign.letter is not None:

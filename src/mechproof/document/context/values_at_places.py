@@ -30,10 +30,10 @@ from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve
 from mechproof.statement_domains.domain import Domain
 
-# What may be said of one place by a condition behind it.
+# Roles of rows that a condition behind them may restrict to one place.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
 _BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
-# Functions that have each value once in a range, and what gives the angle there.
+# Functions that take each value once in a range, their inverses, and that range.
 _INVERSES = (
     (sp.sin, sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
     (sp.cos, sp.acos, sp.Interval(0, sp.pi)),

@@ -28,9 +28,9 @@ from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
 from mechproof.sources.displays import find_displays
 from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
-# Seconds to find out whether a letter is a matrix.
+# Seconds within which the sizes of matrices are to be found.
 _LIMIT = 10.0
-# A letter e: any, and one that is raised.
+# A letter e anywhere, and one that is raised to a power other than a number.
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
@@ -72,7 +72,7 @@ def draft_block(source: Source) -> str:
     _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
-    # A matrix is multiplied by any bracket that is no argument.
+    # A matrix needs no such line: a bracket behind it is a factor unless it is an argument.
     factors = [x for x in collected.factors if name_symbol(x) not in shapes]
     lines = [
         *chain.from_iterable(
@@ -141,7 +141,7 @@ def _find_inline(
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
         kind = name_symbol(one.letter), one.number is None
         found.setdefault(kind, {}).setdefault(one.value, one)
-    # What holds in a case is no rival of what holds throughout.
+    # A formula for one case does not compete with one that holds throughout.
     single = (
         (name, [x for x in ones.values() if not (is_formula and x.is_case)] or [*ones.values()])
         for (name, is_formula), ones in found.items()

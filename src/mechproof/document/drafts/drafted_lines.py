@@ -30,14 +30,14 @@ from mechproof.sources.paper_files import Source
 
 # A letter that is printed to be zero.
 _ZERO = re.compile(r"\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*=\s*0\s*[.,;]?\s*")
-# What is said to count, and how the block says so.
+# A letter that is printed to be a whole number, k\in\mathbb N.
 COUNTING = re.compile(
     r"(?P<letter>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\\in\s*\\mathbb\s*"
     r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
 )
-# Words for what counts.
+# Words by which a letter is a whole number.
 _NUMBER = re.compile(r"\b(?:number|count|order|index|integer)", re.IGNORECASE)
-# What is never negative: not what is said of it, the position of a mass or a mass ratio.
+# Quantities that are never negative; the position of a mass, or a mass ratio, is none of them.
 _POSITIVE = re.compile(
     r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
     r"(?:radius|radii|diameters?|lengths?|mass(?:es)?)(?!\s+of\s+curvature)"
@@ -72,7 +72,7 @@ _RESPECT = re.compile(
     r"(?P<noun>\b(?:primes?|dash(?:es)?|derivatives?)\b[^$.]{0,60})?"
     r"\bwith\s+respect\s+to\s+(?:the\s+[\w\s-]{1,40}?)?\$(?P<by>[^$]{1,20})\$"
 )
-# What primes are by, as the chain rule tells: s'\dot\theta.
+# The variable of a prime, which the chain rule shows: s'\dot\theta.
 _CHAINED = re.compile(r"(?<!')'\s*(?:\\cdot\s*|\\,\s*)?\\dot\s*\{?\s*(\\?[A-Za-z]+)")
 _EXTREME = re.compile(r"_\{?\s*(?:\\mathrm\s*\{|\\text\s*\{|\\)?(?:max|min)\b")
 _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
@@ -188,7 +188,7 @@ def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
         faults = ((x.number, x.reason.partition("\n")[0]) for x in error.faults if x.number)
         return {number: f"# {reason}:" for number, reason in faults}
     except ValueError:
-        # It is no line of its own that is refused: the check will say it.
+        # No single line is refused, so the check itself will report the error.
         pass
     return {}
 
@@ -257,7 +257,7 @@ def list_entries(
         entry.names[base] = None
         entry.running = entry.running or running
     for letter in filter(_RATE.match, letters):
-        # \dot s of s(\theta) is by the chain rule.
+        # \dot s of s(\theta) is taken by the chain rule, so that \theta depends on time.
         running = by.get(name_symbol(split_letter(letter)[0]), "t")
         if running != "t" and name_symbol(running) in entries:
             entries[name_symbol(running)].running = "t"

@@ -28,17 +28,17 @@ from mechproof.sources.paper_files import Source
 
 # A reference, or a number in brackets.
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
-# Characters between a reference and the equation that it is made for.
+# Most characters between a reference and the equation it belongs to.
 _NEAR = 400
 # An equation in a sentence, behind such a word or behind another equation there.
 _RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]*\$")
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
-# Signs of letters.
+# Tokens of letters.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 # A letter, or its opposite or a multiple, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 _MULTIPLE = r"(?:\d+|\\d?t?frac\s*(?:\d\d|\{\d+\}\s*\{\d+\}))?\s*"
-# What has a second derivative: its first is no constant.
+# A letter with a second derivative: its first one is not constant.
 _SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 _KINDS = {
     **dict.fromkeys(("largest", "greatest", "maximum", "maximal", "highest"), "max"),
@@ -100,7 +100,7 @@ def propose_values(
         if name in defined and is_free:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
-            # The letter of a speed that varies is defined by it.
+            # A speed that varies is no value: the letter that stands for it is defined by it.
             is_free ^= one.is_varying and one.letter not in letters and one.value in letters
             given, value = (one.letter, one.value) if is_free else (one.value, one.letter)
             line = f"let {given}={value}"

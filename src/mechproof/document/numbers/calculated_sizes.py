@@ -29,7 +29,7 @@ from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, name_in_si, r
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
 _IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
-# In which revolutions are counted.
+# Unit of speeds that count revolutions.
 _MINUTE = "1/min"
 Span = tuple[float, float] | None
 
@@ -89,7 +89,7 @@ def find_span(read: Print, member: Node, exact: Collection[sp.Expr]) -> tuple[fl
     try:
         value, sizes, _ = _work_out(read, member)
     except (ReadingError, DimensionError):
-        # Where one of its decimals stands, no name may.
+        # A decimal stands where a name must not.
         return None
     if all(size.value in exact for size in sizes.values() if size.half):
         return None
@@ -134,7 +134,7 @@ def _find_scales(
 
     Revolutions by the minute are turns; alone they are what they are in the result.
     """
-    # Nothing is of any dimension.
+    # Zero has any dimension, and is taken as a number.
     dimension = infer(value, {name: unit.dimension for name, unit in units.items()}) or NUMBER
     if any(power != int(power) for power in dimension.powers):
         raise DimensionError(f"a root of {dimension}")

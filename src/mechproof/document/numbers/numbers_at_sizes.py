@@ -28,7 +28,7 @@ from mechproof.record import NUMBER, Equality, PrintedNumber
 from mechproof.record.unit_notation import Unit, read_unit
 from mechproof.sources.displays import Printed
 
-# One digit, or zeros of which nobody knows whether they are digits.
+# A number of one digit, or with zeros at its end that may be no digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 SINGLE = "a single value: nothing says for which sizes, or to how many digits"
@@ -133,7 +133,7 @@ def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | st
     value = at.known.settle(sign.value)
     missing = value.free_symbols - sizes.keys()
     if not missing:
-        # A letter that has a size, too, may be meant by either.
+        # A letter with a formula and a size may be meant by either.
         return [*dict.fromkeys((value, at.known.settle(sign.value, stop=declared)))]
     formulas = at.known.list_formulas(sign.value, sizes, declared.keys() - {sign.letter})
     if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:

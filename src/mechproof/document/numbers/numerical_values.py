@@ -25,10 +25,10 @@ OPEN = "the sides differ by a factor of {} only, which may turn units: in which 
 _NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
 _AGAIN = (Role.REPEATED, Role.DERIVATIVE)
 _ROLES = (Role.STEP, Role.CONSTRAINT, *_AGAIN)
-# Factors of units are products of these, and larger than those of counts.
+# Factors between units are products of these primes, and larger than counts of parts are.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
-# Digits of a factor that may be rounded, and the relative error of doubles.
+# Fewest digits of a factor that may be rounded, and the relative error of doubles.
 _DIGITS = 3
 _SMALL = 1e-9
 _BARE = "a unit, {}, but none is declared for {}"

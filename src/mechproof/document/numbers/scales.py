@@ -20,9 +20,9 @@ from mechproof.statement_domains.dimension_inference import DimensionError, infe
 
 _DEGREE = sp.pi / 180
 _TURN = 2 * sp.pi
-# By their names revolutions are counted, n, or are angular velocities.
+# Revolutions named n are counted; under any other name they are angular velocities.
 _COUNTED = re.compile(r"[nN](?![A-Za-z])")
-# No count of parts, halves or quarters: 60 seconds, 1000 mm.
+# Numbers from here on turn units, as 60 s or 1000 mm do; smaller ones count parts or halves.
 _FACTOR = 10
 
 

@@ -34,7 +34,7 @@ from mechproof.record.unit_notation import Unit
 from mechproof.sources.located_text import Files, Place
 from mechproof.sources.tabulars import TableCell, Tabular
 
-# Rows in which the heads may stand: above them those of groups of columns.
+# Rows that may hold the heads, as heads of groups of columns may stand above them.
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
 _NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
@@ -158,7 +158,7 @@ class SizeTables:
                 yield self._leave(name, grid.lines[0][column], reason)
                 continue
             yield from self._read_column(grid, column, numbers, met)
-        # What others are computed from, and no equation prints, is taken as it stands.
+        # An input that no equation gives is taken as it stands.
         yield from (row for symbol, row in met.inputs if symbol not in met.used)
 
     def _refuse(self, head: Head, grid: Grid) -> str:

@@ -43,15 +43,15 @@ from mechproof.record.unit_notation import Unit, is_share, read_unit
 from mechproof.sources.displays import Printed
 
 _DIFFERS = "{} is printed in {}: another case, or a misprint?"
-# What may say for which case a number is.
+# Signs and words that may say for which case a number is.
 _CASE = re.compile(r"\\(?:text|mbox|q?quad)|[(\[|]|(?<![\\{])[,;](?!\s*\Z)|\\\\")
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
 _ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
 _UNSHOWN = "the calculation gives {}, but that this is in {} is not shown"
-# By such a share what rounded numbers give may be off, or whole ones of few digits.
+# Relative errors allowed for results of rounded numbers, and of whole ones of few digits.
 _NEAR, _FAR = 0.01, 0.1
 
-# That a formula gives what is calculated, and at which sizes.
+# The claim that a formula gives the calculated number, and at which sizes.
 PutIn = tuple[Equality, str]
 
 
