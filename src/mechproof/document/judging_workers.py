@@ -46,7 +46,7 @@ TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
 )
-# Rows that are judged elsewhere: each print, with the count of what its row states.
+# Rows judged elsewhere: their numbers and prints, each with the count of what its row states.
 Elsewhere = frozenset[tuple[str, int]]
 # The rows of the papers at work, by path, content and the rows judged elsewhere. They are global so
 # that a forked process inherits them: sent through a pipe, SymPy would evaluate relations.
@@ -229,8 +229,7 @@ def judge_members(
     compared = [one for one in (task, *task.others) if one.sign.first in names]
     answers = [(_judge_alone(one), one) for one in compared]
     for wanted in (Verdict.PROVED, Verdict.REFUTED):
-        # A later member, behind a step that is not shown, may be meant for a case: it accuses
-        # nobody.
+        # A member behind a step that is not shown may be meant for a case: it accuses nobody.
         alone = answers[:1] if wanted is Verdict.REFUTED and compared[0] is task else answers
         for found, one in alone:
             if isinstance(found, Judgement) and found.verdict is wanted:

@@ -24,7 +24,7 @@ from mechproof.statement_domains.dimension_inference import is_angle
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "separating balls"
-# Points that are tried, and that are tried if too few fit; fitting points that are enough; points
+# Points that are tried, at first and if too few of them fit; fitting points that are enough; points
 # at which a mended print has to hold.
 _COUNTS = (16, 32)
 _ENOUGH = 8

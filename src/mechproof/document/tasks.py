@@ -43,8 +43,8 @@ class Role(StrEnum):
 CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
-# A letter over which a part of a print is integrated, summed or differentiated, and the letters of
-# that part.
+# The letter by which a part of a print is integrated, differentiated and the like, and the letters
+# of that part.
 Varied = tuple[sp.Basic, frozenset[sp.Basic]]
 
 

@@ -25,7 +25,8 @@ from mechproof.statement_domains.domain import Domain
 ROUNDING = sp.Rational(1, 100)
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
-# Factors with a prime above 5 may be of strength or stiffness, as 64, 192 and 384 are not.
+# Numbers from 100 on with a prime above 5 may turn units, as 254 does; formulas of strength and
+# stiffness have factors such as 64, 192 or 384.
 _LARGE, _PRIME = 100, 5
 
 

@@ -148,8 +148,7 @@ def _find_misprint(
         if any(at and _may_hold_at(at, task, constraints) for at in cases):
             return None
         plain = [one for one in constraints if not one.sign.is_tied]
-        # A print that would become another one of the paper is no misprint, unless it should repeat
-        # it.
+        # A print that becomes another one of the paper is no misprint, unless it may repeat that.
         is_same = task.asserts or task.sign.is_tied or may_repeat
         printed, repeated = _list_printed(tasks), None if is_same else [*_list_given(task, plain)]
         second = {s for t in (task, *beside) for s in _list_accelerations(t)}

@@ -33,7 +33,7 @@ _NEAR = 400
 # An equation in a sentence, behind such a word or behind another equation there.
 _RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]*\$")
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
-# Tokens of letters.
+# The signs that letters consist of.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 # A letter, or its opposite or a multiple, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
