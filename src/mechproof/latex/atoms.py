@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
 _CLOSED_BY = {"(": ")", "[": "]"}
-# What closes a bracket that rounds, and what it makes of its inside.
+# For each sign that opens a rounding bracket: the one that closes it, and its function.
 _ROUNDING = {
     r"\lfloor": (r"\rfloor", tree.PrintedFunction("floor", sp.floor)),
     r"\lceil": (r"\rceil", tree.PrintedFunction("ceil", sp.ceiling)),
@@ -40,7 +40,7 @@ def read_atom(parser: Parser) -> tree.Node:
     if text in VECTORS and [token.text for token in parser.rest[1:4]] == ["{", "0", "}"]:
         for _ in range(4):
             parser.take()
-        # Beside a matrix it is one of zeros.
+        # Zero stands for a matrix of zeros beside a matrix.
         return tree.Number("0", start=start, end=parser.end)
     if text == r"\frac" and printed_derivatives.is_derivative(parser):
         return printed_derivatives.read_derivative(parser)
@@ -120,7 +120,7 @@ def read_list(parser: Parser) -> list[tree.Node]:
 
 
 def _repeat_bracket(parser: Parser, start: int) -> tree.Node:
-    """(…) is the bracket of the print before, if that has exactly one among its factors."""
+    """Read (…) as the bracket of the print before, if that has exactly one among its factors."""
     parser.place += 3
     if len(parser.brackets) != 1:
         raise parser.refuse(
@@ -270,7 +270,7 @@ def _shows_vector(parser: Parser, part: tree.Node) -> bool:
     return tree.shows_matrix(part) or (is_bold and not parser.names.find("T"))
 
 
-# How what begins with a sign is read.
+# The function that reads an atom, by the sign with which the atom begins.
 _READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\frac": _read_fraction,
     r"\sqrt": _read_root,

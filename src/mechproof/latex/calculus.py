@@ -28,10 +28,10 @@ class OpenIntegral:
 
 
 def compare_derivatives(chain: tree.Chain) -> tree.Chain:
-    r"""Let \int f\,dx=F+C say that f is the derivative of F+C, where nobody says where it starts.
+    r"""Read \int f\,dx=F+C without a lower limit as: f is the derivative of F+C.
 
-    Of a letter that is alone at a side an integral says what it is; one over a body, \int r^2\,dm,
-    has letters that only the integrand has, and not its own variable.
+    A letter alone on one side is given by the integral; an integral over a body, \int r^2\,dm, has
+    letters that only its integrand has, and not its own variable.
     """
     if len(chain.members) != 2 or chain.relations != ("=",):
         return chain
@@ -210,7 +210,7 @@ def is_differential(parser: Parser) -> bool:
     follows = [token.text for token in rest[:2]]
     if not parser.integrals or follows[:1] != ["d"] or follows[1:] in (["_"], ["'"]):
         return False
-    # Whether each is printed as a differential, \mathrm{d}x.
+    # True for each d that is printed as a differential, \mathrm{d}x.
     upright = [d.text == "d" != parser.source.latex[d.start : d.end] for d in rest]
     if upright[0]:
         return True

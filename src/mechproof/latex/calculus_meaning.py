@@ -37,9 +37,10 @@ from mechproof.record import DerivativeWhere, IntegralWithoutDifferential, NthDe
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
-# What has a variable of its own.
+# Nodes that bind a variable of their own.
 BINDING = (Approach, At, Derivation, Integration, Repeated)
-# Of these a variable runs over all numbers between some: what they lose must be zero at few.
+# Nodes whose variable runs through an interval, so that cancelled divisors may vanish at single
+# points only.
 RUNNING = (Approach, Derivation, Integration)
 
 
@@ -268,7 +269,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     moving = {step for steps in all_steps for step in steps}
     for steps in all_steps:
         _check_seams(meaning, node, steps, (term, point))
-    # The derivative of what grows evenly is the same everywhere.
+    # The derivative of a linear function is the same everywhere.
     known = meaning.values.keys() & {rate for _, *rates in all_steps for rate in rates}
     even = {s for s in known if not moving & settle_all(s, meaning.values).free_symbols}
     unknown = (moving & value.free_symbols or {value} & {term}) - even

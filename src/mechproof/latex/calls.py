@@ -261,7 +261,7 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
         return False
     has_angle = any(letter in known and known[letter].is_angle for letter in letters)
     is_near = not (has_angle or _is_behind_space(parser))
-    # Of a fraction the numerator has been read, with the differential that stands in it.
+    # If a fraction is read, its numerator, with the differential in it, has been read already.
     read = parser.integrals[-1].differential
     is_over = isinstance(read, tree.Letter) and read.text == texts[0]
     return is_near and (is_over or ("d", texts[0]) in pairwise(texts[1:]))
@@ -334,7 +334,7 @@ def _list_behind(parser: Parser) -> set[sp.Basic]:
 def _check_reach(parser: Parser) -> None:
     """Refuse what stands close behind an argument without brackets."""
     if parser.collects and begins_letter(parser.text):
-        # Whose it is does not matter to what letters there are.
+        # Which letter it belongs to does not matter while letters are only collected.
         return
     if parser.ends_product() or parser.text in DOTS or is_function(parser):
         return

@@ -15,13 +15,13 @@ from itertools import groupby
 
 from mechproof.latex.latex_signs import join, same_sign
 
-# Signs that part the cells of a table are no part of a formula that can be marked.
+# Cell and row separators, which cannot be marked as parts of a formula.
 PARTING = ("&", r"\\")
-# Beyond so many signs nothing is compared, and beyond this share of changes nothing is marked.
+# Longest prints, in signs, that are compared, and the largest share of changes that is marked.
 LONGEST, MOST = 450, 0.5
-# What opening costs besides its signs: only what largely stays is worth it.
+# Extra cost of changing what encloses parts that stay: worth it only if most of them do.
 OPENING = 2
-# What opens and what closes, by its kind.
+# Opening and closing signs; those of one kind match.
 _OPENERS = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}
 _CLOSERS = {")": "b", "]": "b", "}": "{", r"\right": "l", r"\end": "e"}
 
@@ -32,7 +32,7 @@ SIGN = re.compile(
 )
 # Commands whose arguments need no braces.
 ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\bar": 1}
-# What is set, but says nothing: it stays with what stands before it.
+# Signs without a meaning of their own: they stay with the part before them.
 SILENT = frozenset(
     (*(r"\,", r"\;", r"\:", r"\!", "\\ ", "~", r"\quad", r"\qquad"), r"\cdot", r"\limits")
 )

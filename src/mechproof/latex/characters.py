@@ -36,10 +36,10 @@ _SIGNS: Mapping[str, str] = {
     **{"⌊": r"\lfloor", "⌋": r"\rfloor", "⌈": r"\lceil", "⌉": r"\rceil"},
     **{"′": "'", "∣": "|", "…": r"\dots", "⋯": r"\dots", "\u2044": "/", "\u2215": "/"},
 }
-# The names of the commands of letters.
+# Names of the commands of Greek letters.
 _NAMES = {*(command[1:] for command in _LETTERS.values()), "Upsilon"}
 GREEK = frozenset(_NAMES | {f"var{name}" for name in _NAMES if name.istitle()})
-# What is copied in the place of other signs, and what to print.
+# Characters that are copied in place of the right sign, and what to print.
 _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),
     **dict.fromkeys('’‘`´ʹʼˈ"”“', "Print ' for a prime."),
@@ -52,7 +52,7 @@ _INSTEAD: Mapping[str, str] = {
 _KINDS = ("MATHEMATICAL ITALIC ", "FULLWIDTH ", "SMALL HYPHEN-MINUS", "PLANCK CONSTANT")
 _ALPHABETS = ("LATIN ", "GREEK ", "CYRILLIC ", "CJK ")
 _SCRIPTS = {"<super>": "^", "<sub>": "_"}
-# What is printed for one command by some fonts, for the other by others.
+# Characters that some fonts use for one command and some for another.
 EITHER = "φε"
 # Each letter and the Latin (or Greek) one that it prints like.
 _ALIKE = {

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _DOTTED = r"\dots"
-# Where sums begin that are met.
+# Limits on the terms before the dots: most that are tried, fewest that must fit.
 _MOST = 12
 _FEWEST = 2
 

@@ -19,10 +19,11 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _SIGNS = {"max": sp.Le, "min": sp.Ge}
-# Where functions of angles are steady, and how close a value must be there to be looked at.
+# Angles at which extrema are looked for, and the difference from the printed value up to which a
+# place counts as one.
 _TURNS = (sp.S.Zero, sp.pi, sp.pi / 2, -sp.pi / 2, 3 * sp.pi / 2)
 _CLOSE = 1e-12
-# Orders of letters that are tried.
+# Work limit: orders of the letters by size that are tried.
 _ORDERS = 24
 
 
@@ -88,7 +89,7 @@ def state_extremum(
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
     sign, known = _SIGNS[node.name], settle_all(bound, values)
     reached = [term.xreplace({by: place}) for place in _list_places(term, by, within)]
-    # Letters of another order of size may make it so, or not.
+    # If the letters are of another order by size, the extremum may lie elsewhere.
     orders = [*islice(permutations(letters), _ORDERS)]
     agree = [any(_agree(there, known, one) for there in reached) for one in orders]
     if any(agree) and not all(agree):
@@ -104,7 +105,7 @@ def state_extremum(
         return None
     choose = max if node.name == "max" else min
     extreme = choose(pairs, key=lambda pair: pair[0])[1]
-    # It is the extremum if it bounds the term, and what differs from it is none then.
+    # A value that bounds the term everywhere is its extremum, and any other value is not.
     limit = sign(value, extreme, evaluate=False)
     return Conjunction((Holds(limit), Equality(extreme, bound, "member")), needs_first=True)
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 from mechproof.latex.characters import GREEK, spell
 from mechproof.latex.words import AND
 
-# What may stand behind \\, the end of a row: how far away the next one begins.
+# The optional spacing behind \\, which ends a row.
 _LENGTH = r"[\d.]+\s*(?:p[xtc]|e[mx]|[cm]m|in|bp|mu)|[\d.]*\\(?:jot|[a-z]*skip(?:amount)?)"
 SPACING = rf"\*?(?:\s*\[\s*-?(?:{_LENGTH})\s*\])?"
 _SETTING = re.compile(rf"\\(?:arraycolsep|tabcolsep)\s*=?\s*(?:{_LENGTH})")
@@ -19,10 +19,10 @@ _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
     *(r"\Bigg", r"\mathstrut", r"\it", r"\hline"),
-    # Joiners of letters, which show nothing.
+    # Characters that join letters and print nothing.
     *"\u200c\u200d",
 )
-# Blanks that part as often as they do nothing.
+# Blanks that may separate two statements, or do nothing.
 WIDE, NARROW = r"\quad", "\\ "
 GAPS = {
     **dict.fromkeys((r"\quad", r"\qquad"), WIDE),
@@ -30,13 +30,13 @@ GAPS = {
         ("\\ ", "\\\n", "\\", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW
     ),
 }
-# Types that hold in a group, and the commands of today whose argument it is.
+# Old commands that set the type of a whole group, and the new ones that take an argument.
 _TYPES = {**{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf"}, r"\cal": r"\mathcal"}
-# A command, a group, and one for which a type holds.
+# A command, or the brace of a group, with the command that sets its type.
 _COMMAND = re.compile(rf"\\[A-Za-z]+\*?|\{{(?:({'|'.join(map(re.escape, _TYPES))})(?![A-Za-z]))?")
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
-# A bar whose size says whether it opens or closes; a plain one does not say it.
+# Bars whose size command says whether they open or close; a plain bar does not say it.
 _BARS = {
     **{(size, "."): r"\left." for size in _OPENING},
     **{(size, bar): r"\lvert" for size in _OPENING for bar in ("|", r"\vert")},
@@ -70,7 +70,7 @@ _SAME = {
 # A star above a letter, which belongs to its name as a prime does.
 STAR = "^*"
 SUFFIXES = ("'", STAR)
-# A dot and a cross: of numbers they say the same.
+# Dot and cross, which mean the same between numbers.
 DOTS = (r"\cdot", r"\times")
 
 
@@ -83,7 +83,7 @@ class Token:
     end: int
 
 
-# What holds signs together, beside environments.
+# Signs that open and close groups, besides environments.
 OPENING = ("(", "[", "{", r"\lvert", r"\lfloor", r"\lceil", r"\langle")
 CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil", r"\rangle")
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from mechproof.latex.characters import GREEK, is_letter
 
 LEFT = "{}"
-# Accents and types of letters that are vectors or matrices.
+# Accents and typefaces of vectors and matrices.
 VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
 DOTTED = (r"\dot", r"\ddot", r"\dddot")
 ACCENTS = (
@@ -26,7 +26,7 @@ UPRIGHT = (
 )
 TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
 _SCRIPTS = ("^", "_")
-# Behind these a script has nothing to its left.
+# Signs behind which a script has no base to its left.
 _OPERATORS = (
     *("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv", "+", "-", r"\pm", r"\mp", "/"),
     *(r"\cdot", r"\times", r"\to", ",", ";", "&", r"\\", "(", "[", r"\lvert", ":"),
@@ -78,7 +78,7 @@ def is_power(inside: Sequence[str]) -> bool:
     """Return whether one script may well be that of what stands before it: a number, a T."""
     marks = sum(text in _SCRIPTS for text in inside)
     plain = [text for text in inside if text not in ("{", "}", *_SCRIPTS)]
-    # Nobody prints a power of nought or one.
+    # Nobody prints a power of zero or one.
     is_trivial = inside[0] == "^" and plain in (["0"], ["1"])
     is_letter_alone = plain != ["T"] and any(map(begins_letter, plain))
     return marks == 1 and not (is_trivial or is_letter_alone)

@@ -52,7 +52,7 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
         _refuse_place(parser)
     if not isinstance(letter, Letter) or letter.text in parser.bound:
         return
-    # Script letters are operators as often: \mathcal L\{f\}.
+    # Script letters are just as often operators: \mathcal L\{f\}.
     brackets = ("(", "[") if letter.text.startswith(_SCRIPT_TYPES) else ("(",)
     if parser.text not in brackets:
         return
@@ -61,7 +61,7 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
     if letter.text in parser.factors or (is_matrix and not _may_be_called(parser)):
         return
     if place not in parser.multiplied:
-        # Of brackets in brackets each would be read twice for the one around it.
+        # Kept, because each nested bracket would be read twice for every one around it.
         parser.multiplied[place] = _multiplies(parser, letter)
     if not parser.multiplied[place]:
         printed = parser.source.latex[letter.start : letter.end]
@@ -96,7 +96,7 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     if letter.symbol not in known or any(known.get(one) != TIME for one in by):
         return False
     is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
-    # What cannot be read is refused where it stands.
+    # A bracket that cannot be read is refused later, where it stands.
     return bracket is None or is_sum
 
 

@@ -27,7 +27,7 @@ ENTRIES = r"Print it for the entries, or \det for a determinant, the root of squ
 _CROSS, _DOT = r"\times", r"\cdot"
 
 
-# What is not clear of a product, and what to print instead.
+# Reasons why a product is unclear, and what to print instead.
 _SIDE_BY_SIDE = (
     "vectors and matrices side by side: which product is meant, which is taken first?",
     "Print brackets around a product of two vectors, T at one that is a row.",
@@ -206,7 +206,7 @@ def invert(matrix: Any) -> Any:
     shown = show_entries(matrix)
     if not shown.is_square:
         raise ValueError("only square matrices have an inverse")
-    # Elimination would simplify at each step.
+    # Elimination would simplify at each step, which takes long.
     return shown.adjugate(method="berkowitz") / shown.det(method="berkowitz")
 
 
@@ -236,7 +236,7 @@ def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
     _refuse_third(parts, vectors)
     one, other = map(show_entries, vectors)
     if one.shape != other.shape and other.shape[1] > 1:
-        # A column before a row: a number to some, a matrix to others.
+        # Some read a column before a row as a number, others as a matrix.
         raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts), one.dot(other))
 
@@ -260,7 +260,7 @@ def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
         return reduce(mul, parts)
     _refuse_third(parts, vectors)
     turned = [n for n, run in enumerate(runs, 1) if sum(map(is_matrix, run)) > 1]
-    # A matrix between the cross and a vector: whichever product is taken first is the same.
+    # With a matrix between the cross and a vector, both orders of multiplying agree.
     if turned and (turned != [len(runs)] or not is_vector(parts[-1]) or is_vector(runs[-1][0])):
         raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts)) * _cross_entries(*map(show_entries, vectors))

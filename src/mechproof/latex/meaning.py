@@ -62,9 +62,9 @@ class Meaning:
         self.is_complex = bool(notation.imaginary)
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
-        # Powers of matrices to letters.
+        # Number of powers of matrices to letters met so far.
         self._raised = 0
-        # What is divided by, and the expression that shows it; what sides have lost of that.
+        # The divisors met, each with the expression that shows it; and those that sides have lost.
         self.divisors: dict[sp.Expr, sp.Expr] = {}
         self.lost: dict[sp.Expr, None] = {}
 
@@ -82,7 +82,7 @@ class Meaning:
         self.divisors = divisors
         roots = {power.base for power in value.atoms(sp.Pow) if power.exp.is_integer is False}
         met = [p for p in self._met if not (self.is_complex and p.has(sp.I))]
-        # A quotient has the power below its line with the opposite exponent.
+        # In a quotient the divisor is a power with the opposite exponent.
         met = [p for p in met if not (value.has(p) or (p.is_Pow and value.has(1 / p)))]
         lost = [p for p in met if not (is_root(p) and p.base in roots)]
         self._met = outside
@@ -170,7 +170,7 @@ class Meaning:
         terms = [sign * self.of(term) for sign, term in node.terms]
         if not _any_matrix(terms):
             return sp.Add(*terms)
-        # A zero beside a matrix is one of zeros.
+        # Zero stands for a matrix of zeros beside a matrix.
         return reduce(add, [term for term in terms if matrix_meaning.is_matrix(term) or term != 0])
 
     def _quotient(self, node: tree.Quotient) -> Any:

@@ -24,7 +24,7 @@ _RAISED = r"\s*\^\s*(?:\{\s*(?P<braced>-?\d+)\s*\}|(?P<digit>\d))"
 _CELSIUS = re.compile(r"\^\{\\circ\}\\[a-z]+\{C\}")
 _GAP = r"(?:\s|\\[,;:!])*"
 _POWER, _EXPONENT = re.compile(rf"{_GAP}\\(?:cdot|times){_GAP}10{_RAISED}"), re.compile(_RAISED)
-# Digits of what is calculated, far more than are printed.
+# Digits of calculated numbers, far more than papers print.
 _DIGITS = 15
 _BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
 _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
@@ -75,7 +75,7 @@ def _find_end(parser: Parser) -> int:
         text, before = parser.tokens[place].text, parser.tokens[place - 1].text
         is_unit = _is_upright(parser, place)
         is_joint = text in _BETWEEN or _is_micro(parser, place)
-        # Elsewhere it takes off another number.
+        # Elsewhere the minus subtracts another number.
         if text == "-" and before not in ("^", "{"):
             return parser.place
         if not (is_unit or is_joint or (text.isdigit() and before in ("{", "-"))):

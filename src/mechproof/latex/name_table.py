@@ -106,7 +106,7 @@ def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
 
 
 def _rank(match: Match) -> tuple[int, bool, int]:
-    """Prefer the longer match, what has no index of a family, and the family that says more."""
+    """Return the rank of a match: by length, then without index before family, then by signs."""
     signs = match.name.signs
     return match.end, INDEX not in signs, len(signs)
 

@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LONGEST_NUMBER = 300
-# Vectors in which a comma is none of a decimal: along an axis, or with two zeros.
+# Vectors whose commas are no decimal ones: unit vectors, and those with two zeros.
 _ALONG_AXIS = re.compile(
     r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]])|[^()\[\],]*[^()\[\],\d],0,0(?=[)\]]))"
 )
 _THOUSANDS = re.compile(r"\d{1,3}(?:\\,\d{3})+(?!\d)")
 _POWER_OF_TEN = re.compile(r"\s*[eE]\+?(?P<exponent>[-\u2212]?[0-9]+)")
-# There it is no product of a letter.
+# In these commands an e behind digits is a power of ten, not a letter.
 _QUANTITY = re.compile(r"\\(?:num|SI|qty)\s*\{\s*[-+]?\s*\Z")
 
 

@@ -20,14 +20,15 @@ from mechproof.latex.latex_signs import (
     split_signs,
 )
 
-# What closes an argument, by what opens it.
+# The closing sign of an argument, by its opening one.
 _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
-# An argument that may be one sign without braces.
+# Stands for an argument that may be a single sign without braces.
 _ANY = "."
-# An argument as it stands, one in brackets, if there is any, and one with commas between its lines.
+# Marks before the number of an argument in a body: as it stands; in brackets, if given; with commas
+# between its lines.
 _PLAIN, _IN_BRACKETS, _IN_LINE = "#", "@", "?"
 _NUMBERED = re.compile(f"[{_PLAIN}{_IN_BRACKETS}{_IN_LINE}](\\d)")
-# How the arguments of a call begin, and what it stands for; of several the first that a call has.
+# How the arguments of a call begin, and what it then stands for; the first that fits is taken.
 _Forms = tuple[tuple[str, str], ...]
 
 
@@ -68,7 +69,7 @@ _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys((r"\dif", r"\dl"), (("", "d"),)),
     **dict.fromkeys((r"\abs", r"\abs*", r"\vqty"), _BARS),
     **dict.fromkeys((r"\norm", r"\norm*"), _NORM),
-    # With two arguments it is a number and its unit, of siunitx, and stays so.
+    # With two arguments it is the command of siunitx for a number and its unit, and stays.
     r"\qty": (
         *(("{{", ""), ("{", r"\left\{#1\right\}")),
         *(("(", r"\left(#1\right)"), ("[", r"\left[#1\right]"), ("|", r"\left|#1\right|")),
@@ -96,7 +97,7 @@ _COMMANDS: Mapping[str, _Forms] = {
     r"\substack": ((_ANY, f"{_IN_LINE}1"),),
     **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},
 }
-# Derivatives of derivative, diffcoeff, esdiff and commath: what is derived, then by which letters.
+# Commands of the packages derivative, diffcoeff, esdiff and commath, with the sign they print.
 _DERIVATIVES = {
     **dict.fromkeys(_name("odv", "od", "dod", "tod", "diff"), "d"),
     **dict.fromkeys(_name("pdv", "pd", "dpd", "tpd", "diffp"), r"\partial"),

@@ -106,9 +106,9 @@ class Parser:
         self.tokens: Sequence[Token] = fold_slashed(side_conditions.keep_gaps(tokens), self.names)
         self.last = last
         self.place = self.depth = 0
-        # Upright bars, single and double ones, that are open at this depth.
+        # Open upright bars, single and double, at this depth.
         self.bars = Counter[str]()
-        # Of places of brackets, whether they multiply the letter before.
+        # Remembers, by the place of a bracket, whether it multiplies the letter before it.
         self.multiplied: dict[int, bool] = {}
 
     # Walking --------------------------------------------------------------------------------

@@ -2,21 +2,22 @@
 
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
-# What marks its argument, but says nothing of it.
+# Commands that mark their argument without changing what it says.
 MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
-# What marks its argument with a brace, and names it behind that sign.
+# Commands that set a brace over or under their argument, with the script that labels it.
 BRACES = {r"\underbrace": "_", r"\overbrace": "^", r"\underbracket": "_", r"\overbracket": "^"}
-# What writes something above or below a sign; a question is none.
+# Commands that set something above or below a sign; with a question mark they are not read.
 STACKS = (r"\overset", r"\underset", r"\stackrel")
 QUESTION = "?"
-# What takes the place of its argument and shows nothing.
+# Commands that leave blank space as large as their argument.
 UNSEEN = (r"\phantom", r"\hphantom", r"\vphantom")
 COLOURS = (r"\color", r"\textcolor")
-# Matrices and cases of packages; those with a star may say how their columns stand.
+# Matrices and cases of packages, by what they are read as; those with a star may have an option
+# that aligns their columns.
 ENVIRONMENTS = {
     f"{kind}{name}": f"{kind}matrix"
     for kind in ("", "p", "b", "B", "v")
     for name in ("matrix*", "smallmatrix", "smallmatrix*", "NiceMatrix", "NiceArray")
 } | {"array": "matrix", "cases*": "cases", "dcases*": "dcases"}
-# Those that say behind their name what their columns are.
+# Environments with an argument for their columns.
 WITH_COLUMNS = ("array", *(f"{kind}NiceArray" for kind in ("", "p", "b", "B", "v")))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LARGEST_FACTORIAL = 1000
-# A binomial over a larger number is no polynomial of so high a degree.
+# Work limit: the largest k for which \binom{n}{k} is written as a polynomial of n.
 _MOST_FACTORS = 12
 _FIRST: int | tree.Node = 1
 _OPERATORS = frozenset(("+", "-", "/", "(", "[", r"\cdot", r"\times"))
@@ -51,7 +51,7 @@ def is_derivative(parser: Parser) -> bool:
     is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
     names = [found for s in starts if (found := parser.names.match(parser.tokens, s))]
     if all(found.end in (s + 1 for s in starts) for found in names) and names:
-        # Nobody prints a quotient of two products with the same factor d.
+        # Nobody prints a quotient of two products with a common factor d.
         inside = texts[below + 2 : below + find_close(texts[below:])]
         return is_d and is_alone and begins_letter(inside[0]) and not _OPERATORS & {*inside}
     return is_d and is_alone and not names
@@ -69,7 +69,7 @@ def read_derivative(parser: Parser) -> tree.Node:
         raise parser.refuse("a derivative of two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
-        # A power of a letter is raised first; of a bracket its derivative may be meant.
+        # Of a letter, the power is raised first; of a bracket, its derivative may be meant.
         is_raised = isinstance(operand, tree.Power) and isinstance(operand.base, tree.Bracket)
         if not parser.ends_product():
             parser.check_neighbours(operand)
@@ -242,7 +242,7 @@ def _read_way(parser: Parser) -> tuple[tree.Letter, tree.Node, str]:
         raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
     parser.take(r"\to")
     start, side = parser.start, _take_side(parser)
-    # What is left of +0 and -0.
+    # The rest of +0 and -0 once the sign is taken.
     point = tree.Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
     return by, point, side
 

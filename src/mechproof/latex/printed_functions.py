@@ -55,8 +55,8 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.Min: ("min",),
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
-# Those that take matrices.
+# Functions of matrices.
 OF_MATRICES = ("det", "tr", "Tr", "inv")
-# Not the same everywhere: the base of log, the range of the arc cotangent.
+# Functions that mean different things in different places, and what is unclear.
 AMBIGUOUS = {"log": "its base (10, e, 2)", "arcctg": "its range", "arccot": "its range"}
 CONSTANTS: Mapping[str, sp.Expr] = {r"\pi": sp.pi, r"\infty": sp.oo, r"\mathrm{e}": sp.E}

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
-# Sets of numbers, and what is known of the symbols of letters in them.
+# Letters for sets of numbers, and the SymPy assumption that their members have.
 _SETS = {"Z": "integer", "N": "positive", "R": "real"}
 _LIMITS = {"(": "<", "[": r"\le", ")": "<", "]": r"\le"}
 

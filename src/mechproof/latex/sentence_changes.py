@@ -15,7 +15,7 @@ from mechproof.latex.changes import Style, mark_changes
 from mechproof.latex.sentences import list_parts
 
 WORD = re.compile(r"[^\s,;:]+\s*|[,;:]\s*|\s+")
-# Less than this share in common, and the two say different things: nothing is marked.
+# With a smaller share in common, two sentences say different things: nothing is marked.
 LEAST = 0.5
 
 

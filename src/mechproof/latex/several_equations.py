@@ -13,7 +13,7 @@ from mechproof.latex.latex_signs import GAPS, Token, measure_depths
 from mechproof.latex.printed_relations import RELATIONS
 
 ARROWS = (r"\to", r"\Rightarrow", r"\implies", r"\Longrightarrow")
-# Not read as steps, which one direction would prove.
+# Arrows that are not read as steps: one direction alone would prove a step.
 EQUIVALENCES = (r"\iff", r"\Leftrightarrow", r"\Longleftrightarrow")
 _ROWS = ("matrix", "aligned", "gathered", "split")
 _SIGNS = (*RELATIONS, "+", "-", r"\pm", r"\mp", ",", ";", r"\in")

@@ -35,7 +35,7 @@ _RELATING = (*RELATIONS, r"\in")
 _UP, _DOWN = ("<", r"\le"), (">", r"\ge")
 _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
 
-# What is no list of entries.
+# Signs that a list of entries does not contain.
 _OTHERS = (*_RELATING, ",", ";", ":", "&", r"\\")
 _JOINING = ("+", "-", "/", r"\pm", r"\mp", *DOTS)
 

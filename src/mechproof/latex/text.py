@@ -44,7 +44,7 @@ from mechproof.latex.tree import (
 from mechproof.latex.words import AND
 
 _SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
-# Written as they are wherever they stand; all else gets brackets within powers and products.
+# Nodes that never need brackets; all others get them within powers and products.
 _CLOSED = (
     *(Number, Constant, Letter, Call, Radical, Repeated, Integration, Magnitude, Entries, Table),
     Approach,

@@ -23,14 +23,14 @@ from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _ARGUMENTS = {r"\frac": 2, r"\binom": 2, **dict.fromkeys((r"\sqrt", r"\pmod", r"\pod"), 1)}
-# What an upright word is not read as: `\mathrm{int}` rounds, and no fraction stands in an index.
+# Commands that upright words are not read as: `\mathrm{int}` rounds, and no index holds a fraction.
 _COMMANDS = (*_ARGUMENTS, r"\int", r"\sum", r"\prod")
-# What belongs to a letter before its power; nobody raises to a sign of multiplication.
+# Marks that belong to the name of a letter, not its power; nobody raises to a multiplication sign.
 _SUFFIXES = {r"\prime": "'", **dict.fromkeys((r"\cdot", r"\ast", r"\star"), STAR)}
 _DEGREE = ("°", r"\degree")
 
 
-# Letters and their other names are looked for in every print.
+# Letters and their other names are looked for in every print, so their signs are kept.
 @lru_cache(maxsize=1 << 12)
 def tokenize(latex: str) -> tuple[Token, ...]:
     """Return the signs of a print; `ReadingError` for braces that do not match."""
@@ -297,7 +297,7 @@ class _Normaliser:
         return self.raw[first : self.place - 1], self.raw[self.place - 1].end
 
     def _read_upright(self, command: Token) -> Token:
-        r"""`\mathrm{tg}` is the function `\tg`, `\mathrm{d}x` the differential."""
+        r"""Read `\mathrm{tg}` as the function `\tg`, `\mathrm{d}x` as the differential."""
         if self._peek() == "{":
             words, end = self._read_words()
         elif self._peek().isalpha():
@@ -327,12 +327,12 @@ class _Normaliser:
                 inner = self._read_sign_script(mark)
             kind, inside = inner[0].text, inner[2:-1]
             if not inside:
-                # What a macro makes of an order that is not given.
+                # An empty script, as macros leave it for an order that is not given.
                 continue
             signs = (_SUFFIXES.get(t.text, "") for t in inside if kind == "^")
             suffixes = [*takewhile(bool, signs)]
             power = inside[len(suffixes) :]
-            # Beside a power in the same braces they have no place of their own.
+            # Primes beside a power in the same braces have no place of their own.
             end = mark.start if power else inner[-1].end
             primes += [Token(sign, mark.start, end) for sign in suffixes]
             if suffixes and not power:

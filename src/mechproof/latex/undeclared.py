@@ -21,20 +21,20 @@ from mechproof.record.unit_notation import is_unit
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-# Letters that not everybody reads alike, where they stand without index.
+# Letters that readers take differently when they stand without an index.
 UNSURE = {
     "e": r"Print \mathrm{e} for Euler's number. Otherwise:",
     "i": "The imaginary unit is not read. Otherwise, as for a ratio:",
     "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
-# Before another letter they make one quantity of it, or a product.
+# Signs that form one quantity with the next letter, or a product with it.
 _INCREMENTS = (r"\Delta", r"\delta")
-# What may stand behind a d that is no differential.
+# Signs behind which a d is a letter, not a differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
-# What stands between factors, and between any operands.
+# Signs between factors, and between any operands.
 _FACTORS = (r"\cdot", r"\times", "/")
 _BETWEEN = ("+", "-", *_FACTORS)
-# Units that are just as often letters behind a number.
+# Units that, behind a number, may just as well be letters.
 _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
@@ -263,6 +263,6 @@ def _find_base(tokens: Sequence[Token], place: int) -> int:
 def printed_name(parser: Parser, place: int) -> str:
     """Return how the letter at a place is printed, with its index and primes."""
     tokens = parser.tokens[place : find_end(parser.tokens, place)]
-    # Those beside a power have no place of their own.
+    # Primes beside a power have no place of their own in the print.
     hidden = (t.text for t in tokens if t.text in SUFFIXES and t.start == t.end)
     return parser.source.latex[tokens[0].start : tokens[-1].end] + "".join(hidden)

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 Values = Mapping[sp.Basic, sp.Basic]
 Moving = Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
-# Functions with kinks or steps, of which SymPy gives a derivative everywhere; of the first two
-# there is one where the argument is not zero.
+# Functions with kinks or steps, for which SymPy gives a derivative everywhere; the first two have
+# one wherever their argument is not zero.
 OF_SIGNS = (sp.Abs, sp.sign)
 UNSMOOTH = (sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
-# Of angles with whole numbers n, for SymPy 1.14 takes tan(x + pi*(n + 1/2)) for tan(x).
+# Replacements for angles with whole numbers n: SymPy 1.14 takes tan(x + pi*(n + 1/2)) for tan(x).
 QUOTIENTS: Mapping[Any, Callable[[sp.Expr], sp.Expr]] = {
     sp.tan: lambda angle: sp.sin(angle) / sp.cos(angle),
     sp.cot: lambda angle: sp.cos(angle) / sp.sin(angle),

@@ -12,7 +12,7 @@ _IF = (
 IF = tuple(rf"\text{{{word}}}" for word in _IF)
 UNDEFINED = (r"\text{undefined}", r"\text{not defined}")
 ELSE = (r"\text{else}", r"\text{otherwise}")
-# Letters side by side that are rather one of the words.
+# Words that are sometimes printed as letters in italics.
 ITALICS = ("if", "for", "where", "when", "with", "and", "or", "else", "forall")
 _BLANK = re.compile(r"\\[,;: ]|[~\s]+")
 
