@@ -14,8 +14,8 @@ from dataclasses import dataclass, field, replace
 
 from mechproof.sources.examples import NO_EXAMPLE, Example
 
-# Words that tell of another case, not of the two roots of one; words that may tell of either, and
-# how far before a display they are looked for.
+# Words for another case, but not for the second root of an equation; words that may mean either;
+# and the characters before a display within which they are looked for.
 _OTHERS = (
     r"other|otherwise|another|alternative(?:ly)?|second(?! (?:derivative|time|order|law)\b)|else"
 )
@@ -27,7 +27,7 @@ _ALTERNATIVE = re.compile(
     re.IGNORECASE,
 )
 _NEAR = 200
-# What holds nearly, or for some motions only.
+# Words for what holds approximately, or for some motions only.
 _SPECIAL = re.compile(
     r"\b(?:neglect|small|approximat|lineari[sz]|first[- ]order|uniform|constant)"
     r"|\b(?:cases?|if|when)\b"
@@ -35,7 +35,7 @@ _SPECIAL = re.compile(
     r"|пренебрег|\b(?:мал|постоянн|равномерн)",
     re.IGNORECASE,
 )
-# What holds at a special position, or as long as something is held.
+# Words for what holds at a special position, or as long as something is held.
 _POSITION = re.compile(
     r"\bdead[- ](?:cent(?:re|er)|position)|\b(?:special|limiting) cases?\b|\bremains? at rest\b"
     r"|\b(?:extreme|limit|limiting|end|special|initial) positions?\b"
@@ -47,7 +47,7 @@ _POSITION = re.compile(
     r"|м[её]ртв\w+ (?:точк|положен)|остановлен|заторможен",
     re.IGNORECASE,
 )
-# What may make letters equal that are not equal elsewhere.
+# Words that may make letters equal that differ elsewhere.
 _EQUATING = re.compile(
     r"\bfor an? \w+|\b(?:coincide|vanish|aligned|collinear|in line)\b|\bare equal\b(?! to\b)"
     r"|\bin an? \w+ (?:one|case|impact|collision)\b|\blet (?:it|them|(?:the|both|all) \w+)\b"
@@ -55,8 +55,8 @@ _EQUATING = re.compile(
     r"|\bpour une?\b|\bco\xefncident|совпадают",
     re.IGNORECASE,
 )
-# What turns the sense in which something is counted, from there on: mostly counter-clockwise. A
-# sentence that goes on with "where" behind a display says what letters meant all along.
+# Words that reverse the sense in which something is counted (mostly counter-clockwise) from there
+# on. A sentence that goes on with "where" behind a display says what letters meant all along.
 _TURNING = re.compile(
     r"(?<!counter)(?<!anti)(?<!counter-)(?<!anti-)clockwise|counter-?rotat|opposed|crossed|mirror"
     r"|revers(?:e|al|ing)|redefin|backwards|downwards|\b(?:left|right)-hand|\bsign convention"
@@ -75,7 +75,7 @@ _TURNING = re.compile(
 _MEANING = r"where|in which|wobei|o\xf9|где"
 _CLAUSE = re.compile(rf"[\s.,;]*(?:{_MEANING}|with|mit|avec)\b", re.IGNORECASE)
 _WHERE = re.compile(rf"[\s.,;]*(?:{_MEANING})\b[^.;]*", re.IGNORECASE)
-# What tells that a display follows from those before it, or says the same.
+# Words by which a display follows from those before it, or says the same.
 _CONSEQUENCE = re.compile(
     r"\b(?:hence|therefore|thus|so|this|which|these|consequently|accordingly|again|that is|i\.e"
     r"|namely|whence|(?:is|be) written|daher|folglich|somit|damit|also|daraus|woraus"
@@ -88,16 +88,16 @@ _CONSEQUENCE = re.compile(
     re.IGNORECASE,
 )
 _END = re.compile(r"(?<!\b[Ff]ig)(?<!\b[Ee]q)(?<!\b[Ee]qs)(?<!\bcf)(?<!\b[Ss]ec)[.;!?]\s")
-# Behind a heading nothing follows.
+# A heading: nothing behind it follows from what stands before it.
 _HEADING = re.compile(r"\\(?:chapter|(?:sub)*section|paragraph)(?![A-Za-z])")
-# What goes on to something else, as a heading does.
+# Words that go on to something else, as a heading does.
 _CONTRAST = re.compile(
     r"\bin contrast\b|\bon the other hand\b|\bin place of\b|\b(?:whereas|instead|unlike|next)\b"
     r"|\b(?:of|in) fig(?:ure\b|\.)"
     r"|\b(?:dagegen|hingegen|anstelle)\b|\ben revanche\b|\bв отличие\b",
     re.IGNORECASE,
 )
-# A law of its own name: the cycloidal law, not the velocity law of the one before.
+# A law with a name: the cycloidal law, but not "the velocity law", which is that of the law before.
 _LAW = re.compile(
     r"\b(?!(?:the|an?|this|that|these|its|same|such|our|of|and|each|every|any|above|basic|general"
     r"|motion|displacement|position|lift|velocity|speed|acceleration|follower|cam)\b)"
@@ -110,7 +110,7 @@ _ITEM = re.compile(
     r"|^[ \t]*(?:\$?\(?\$?(?:\\[A-Za-z]+|[A-Za-z\d]{1,2})\$?[.)]\$?|[-*\u2013]{1,3})[ \t]*$",
     re.MULTILINE,
 )
-# What is said of all cases.
+# Words for what holds in all cases.
 _GENERAL = re.compile(
     r"\b(?:in general|generally|in every case|in all cases|otherwise|elsewhere)\b"
     r"|\boutside (?:this|these|that)\b|\bim allgemeinen\b"
@@ -143,7 +143,7 @@ _OPPOSITES = (
 _SIDES = tuple(
     tuple(re.compile(rf"\b(?:{words})\b", re.IGNORECASE) for words in pair) for pair in _OPPOSITES
 )
-# Stems of what is done to equations, and of words that look like a deed and are none.
+# Stems of verbs for operations on equations, and of words that look like verbs but are none.
 _CALCULATIONS = (
     "abbreviat|accord|account|appl|approximat|assum|bas|be|bear|bring|calculat|cancel|clear|collect"
     "|combin|compar|comput|consider|deduc|denot|deriv|develop|differentiat|divid|dur|eliminat"

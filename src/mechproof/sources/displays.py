@@ -33,7 +33,7 @@ from mechproof.sources.plain_displays import (
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
-# What is looked for in a text.
+# Tells users which equations are looked for in a text.
 EXPECTED = (
     r"equations are displays, \begin{equation}…\end{equation} and the like (align, gather, "
     r"multline, IEEEeqnarray), \[…\] or $$…$$, and not between single $"
@@ -56,16 +56,15 @@ _EVENT = re.compile(
 )
 # Displays that are one equation with one number, however many lines they have.
 _SINGLE = ("", "equation", "displaymath", "multline")
-# How many columns there are, or how each of them stands.
+# The argument of a display that gives the number of its columns, or their alignment.
 _COLUMNS = re.compile(r"\A\s*\{(?:\d+|[A-Za-z'\"?,:;./*\s]+)\}")
-# What macros abbreviate that begins or ends a display, and what an environment of its own has.
+# Beginnings and ends of displays that a macro, or an environment of the paper, may abbreviate.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _DISPLAYING = re.compile(rf"\\(?:begin|end)\{{(?:{_NAMES}|{'|'.join(FRAMES)})\}}|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _CITE = re.compile(r"\\cite\s*(?:\[[^\[\]]*\]\s*)*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
-# A number that stands beside an equation without being a tag, as in Markdown.
-# Dots or a dash may lead to it.
+# A number beside an equation that is no tag, as in Markdown; dots or a dash may lead to it.
 _BESIDE = re.compile(
     r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s|[-\u2013\u2014\u2026]|\.{2,}|\\[cl]?dots)*"
     r"\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z"
@@ -78,11 +77,11 @@ _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBER
 _COMMA = re.compile(r"(?<=\d)\{,\}(?=\d)")
 _NUMBER = re.compile(r"(?<![\d.])\d+(?:\{,\}\d+)+")
 _THOUSANDS = re.compile(r"[1-9]\d{0,2}(?:\{,\}\d{3})+")
-# With this package a comma is decimal where no blank follows; in indices it parts numbers.
+# With this package a comma is decimal unless a blank follows; in indices it separates numbers.
 _ICOMMA = re.compile(r"\\usepackage\s*(?:\[[^\]]*\])?\s*\{[^{}]*\bicomma\b[^{}]*\}")
 _DECIMAL = re.compile(r"_\{[^{}]*\}|\\(?:\w*ref|label|tag|cite)\*?\{[^{}]*\}|(?<=\d),(?=\d)")
 _WORDS = re.compile(r"\\(?:text|mbox|\w*ref|label|tag)\w*\*?\s*\{[^{}]*\}")
-# A point may part thousands, too: 1.500.
+# A point may also separate thousands: 1.500.
 _PARTING = re.compile(r"(?<=\d)\.(?=\d{3}(?!\d))")
 _POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
 
@@ -151,7 +150,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
                 continue
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
                 latex, remark = cut_remark(found.latex)
-                # What has no remark behind one that has is no more about the same.
+                # An equation without a remark, behind one with a remark, is about something else.
                 if remark or remark_before:
                     announced = announced.go_on(remark or remark_before)
                 remark_before = remark
@@ -172,7 +171,7 @@ def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int)
 
 
 def _go_on(before: Printed, printed: Printed) -> Printed:
-    """Return an equation that begins with its sign with what the display before it ends in."""
+    """Return an equation that begins with its relation sign, with the end of the display before."""
     if not begins_with_sign(printed.latex.string):
         return printed
     taken = join([before.latex, before.latex.put(" ", -1)])
@@ -249,7 +248,7 @@ def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterat
 
 def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
     """Yield where the lines of an equation begin and end."""
-    # What names a line stands at no end of it.
+    # Labels and tags are removed: they do not count as the end of a line.
     plain = [_NAMING.sub(" ", line.string) for line in lines]
     starts = [0] if lines else []
     for place in range(1, len(lines)):
@@ -285,6 +284,6 @@ def join_thousands(text: LocatedText) -> LocatedText:
     prints = (_WORDS.sub(" ", one.latex.string) for one in find_displays(text))
     has_points = any(map(_POINT.search, prints))
     if not all(map(_THOUSANDS.fullmatch, numbers)):
-        # Beside decimal commas points part thousands.
+        # Beside decimal commas, points separate thousands.
         return text if has_points else text.replace(_PARTING, lambda match: "")
     return text.replace(_COMMA, lambda match: "") if has_points else text

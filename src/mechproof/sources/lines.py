@@ -13,14 +13,14 @@ from mechproof.latex.latex_signs import SPACING, same_sign
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.sources.located_text import LocatedText, join
 
-# What only puts lines below each other; between dollars Markdown has whole displays.
+# Environments that only stack lines; between dollars, Markdown even has whole displays.
 _WRAPPING = re.compile(
     r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|multlined|align\*?|gather\*?|multline\*?"
     r"|equation\*?)\}"
     r"(?:\[[tbc]\])?(?:\{\d+\})?"
 )
 _SPACING = re.compile(SPACING)
-# A brace over equations, at the beginning of a line: a system, no values of a function.
+# A brace before equations at the beginning of a line: a system, not the cases of a function.
 _SYSTEM = re.compile(
     r"\\begin\s*\{d?cases\}|\\left\s*\\\{\s*(?:\\begin\s*\{(?:array|matrix)\}(?:\s*\{[lcr|\s]*\})?)?"
 )
@@ -33,15 +33,15 @@ _STEP = re.compile(
     re.DOTALL,
 )
 _BRACKETS = {"{": "}", "(": ")"}
-# What lines and columns cannot part; brackets go on in the next line.
+# Brackets that lines and columns never split; round ones may go on in the next line.
 _BRACES = {"{": "}"}
 _EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
 _RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
-# What begins no equation: a bracket that another line opened is closed behind \left.
+# Signs that continue an equation: \left. precedes the end of a bracket opened on another line.
 _CONTINUING = (*_RELATIONS, "+", r"\left.")
-# What an index runs through, and a name before an equation.
+# What may stand between an equation and the range of its index.
 _BEFORE_RANGE = (
     r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
 )
@@ -50,7 +50,7 @@ _RANGE = re.compile(
     r"(?<![A-Za-z])[a-z]\s*(?:=|\\in\s*\\\{)\s*\d+\s*,\s*(?:\d+\s*,\s*)*"
     r"(?:\\[lc]?dots|\.\.\.)\s*,?\s*(?:\d+|[A-Za-z])(?:\s*\\\})?\s*\Z"
 )
-# The numbers of an index one by one; of another letter they may be a decimal with a comma.
+# The values of an index one by one; of another letter, this may be a number with a decimal comma.
 _LIST = re.compile(
     rf"{_BEFORE_RANGE}\(?\s*(?<![A-Za-z])([a-z])\s*=\s*\d+\s*(?:,(?:\s|\\,)*\d+\s*)+\)?\s*\Z"
 )
@@ -70,7 +70,8 @@ _WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _ARROW = "|".join(map(re.escape, _LEADS))
-# From which equations this one follows, if no number in brackets is in it: (3)\Rightarrow(5)\quad.
+# The numbers of the equations from which this one follows, if none stands in it:
+# (3)\Rightarrow(5)\quad.
 _NUMBER = r"\(\d+[a-z]?\)"
 _FROM_AT_START = re.compile(
     rf"\A\s*{_NUMBER}(?:\s*,?\s*{_NUMBER})*\s*(?:{_ARROW})(?![A-Za-z])\s*"
@@ -80,15 +81,16 @@ _FROM_AT_START = re.compile(
 _AND = re.compile(rf"(?:{_WORD}|(?:{_ARROW})(?![A-Za-z])\s*)\Z")
 _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
-# The conditions of its pieces are no condition of a law.
+# Cases, whose conditions do not apply to the whole equation.
 _PIECES = re.compile(r"\\begin\s*\{(d?cases|array)\}.*?\\end\s*\{\1\}", re.DOTALL)
-# What a condition in a bracket is in words: \text{ring held }(n=0), \text{(ring held, }n=0).
+# The words for a condition that stands in a bracket: \text{ring held }(n=0), \text{(ring held,
+# }n=0).
 _TEXT = r"\\(?:text|mbox|textrm)\s*\{"
 _CLOSED = re.compile(rf"{_TEXT}\s*\)\s*\}}")
 _REMARK = re.compile(
     rf"{_TEXT}(?P<words>[^{{}}()]*(?:\([^{{}}()]*\}}|\}}\s*\())(?=[^()]*(?:[=<>]|\\[gl]e)[^()]*\)\W*\Z)"
 )
-# It is another where one of these stands.
+# With one of these words the condition is a different one.
 _EXCLUDING = re.compile(
     rf"\b(?:{_LINKS}|unless|except|excluding|outside|else|otherwise|but|apart"
     r"|not (?:if|for|at|when|with)|au\xdfer|sonst|sauf|sinon|кроме|иначе)\b",
@@ -100,7 +102,7 @@ _BEHIND = re.compile(
     r"\\(?:text(?:rm|it|sf|bf)?|mbox|emph)\s*\{(?P<words>[^{}$\\<>=?]*)\}"
     r"(?:\s*(?:\\right)?\))?[\s.,;~]*\Z"
 )
-# They are a remark if a word stands there that is no unit, and none that denies or measures.
+# Such words are a remark if one of them is no unit, and none denies or measures.
 _PLAIN_WORD = re.compile(
     r"\b(?!(?:\w*(?:met(?:er|re)|gram)|newton|pascal|watt|joule|degree|radian|second|minute|hour"
     r"|hertz|inch|feet|foot|pound|turn|revolution)(?:e?s)?\b)[^\W\d_]{4}",
@@ -165,9 +167,9 @@ def goes_on(before: str, line: str) -> bool:
     signs, signs_before = _list_signs(line), _list_signs(before)
     if not signs or not signs_before or ends_open(before):
         return True
-    # The ends of an interval may be of two kinds.
+    # The ends of an interval may be brackets of two kinds.
     opened, closed = (sum(sign in kind for sign in signs_before) for kind in ("([", ")]"))
-    # Of a group that is coloured all is seen.
+    # The content of a coloured group counts as if it stood outside.
     deepest = 1 if signs[0] == "{" else 0
     has_relation = any(s in _RELATIONS and depth <= deepest for s, _, depth in walk_signs(line))
     return opened > closed or signs[0] in _CONTINUING or not has_relation

@@ -40,7 +40,7 @@ class LocatedText:
     def strip(self, *, end: str = "") -> LocatedText:
         """Return the text without blanks around it, nor the signs `end` behind it."""
         kept = self.string.rstrip().rstrip(end + " \t\n") if end else self.string.rstrip()
-        # A point there stands for a bracket.
+        # In \right. the point is the bracket.
         kept += "." if kept.endswith(r"\right") and self.string[len(kept) :][:1] == "." else ""
         return self[len(kept) - len(kept.lstrip()) : len(kept)]
 

@@ -11,7 +11,7 @@ from mechproof.latex.sentences import find_brace
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.paper_files import DocumentError
 
-# Calls that are put in for one display: beyond, macros call each other in a circle.
+# Work limit: calls expanded in one display; more mean that macros call each other in a circle.
 MOST_CALLS = 10_000
 _COMMAND = re.compile(r"\\(?:begin|end)\{[A-Za-z@]+\*?\}|\\[A-Za-z@]+")
 _NAME = r"\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
@@ -23,10 +23,10 @@ _DEFINING = re.compile(
     r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)(\\[A-Za-z@]+)?|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
 )
 _COUNT = re.compile(r"\s*\[(\d)\]")
-# The arguments of \NewDocumentCommand that stand in brackets or braces, and one of them.
+# The argument list of \NewDocumentCommand with arguments in brackets or braces, and one of them.
 _SPECIFIED = re.compile(r"\s*\{(?:\s*(?:m|o|O\s*\{[^{}]*\}))*\s*\}")
 _ARGUMENT = re.compile(r"(m|o|O)\s*(?:\{([^{}]*)\})?")
-# What a body has for an argument that a call has, or has not.
+# A test in a body for whether a call has an argument.
 _ASKING = re.compile(r"\\If(?P<not>No)?Value(?P<ways>TF|T|F)\s*\{\s*#(?P<number>\d)\s*\}")
 _OPTION = re.compile(r"\s*\[([^\[\]]*)\]")
 _PARAMETER = re.compile(r"#(\d)")
@@ -61,7 +61,7 @@ def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
         if match.start() < last:
             continue
         found, end = _read_definition(string, match)
-        # What numbers look like is read where equations are counted.
+        # How equation numbers are formatted is read where equations are counted.
         if found and r"\theequation" not in found:
             parts.append(text[last : match.start()])
             place = sum(map(len, parts))
@@ -96,7 +96,7 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
     if operator:
         body = rf"\operatorname{starred}{{{body}}}"
     if delimiter:
-        # What it encloses stands between two commands: \def\be#1\ee{…#1…}.
+        # The macro takes what stands between two commands: \def\be#1\ee{…#1…}.
         before, _, behind = body.partition("#1")
         is_pair = parameters == "#1" and behind and "#" not in before + behind
         return {name: Macro(before), delimiter: Macro(behind)} if is_pair else {}, end
@@ -146,7 +146,7 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
         end = argument[1]
     parts = _PARAMETER.split(_choose(macro.body, given))
     parts[1::2] = [(given[int(n) - 1 :] or [f"#{n}"])[0] for n in parts[1::2]]
-    # A name would run into a letter behind it.
+    # A space is needed where a command's name would run into a letter behind it.
     behind = string[end : end + 1]
     return join_signs([*parts, behind]).removesuffix(behind), end
 

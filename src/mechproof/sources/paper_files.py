@@ -15,17 +15,17 @@ from mechproof.sources.located_text import Files, LocatedText, Place, join
 STDIN = "-"
 BESIDE = ".letters"
 MARKDOWN = (".md", ".markdown", ".mmd")
-# What the files of papers are called.
+# Endings of the names of papers' files.
 SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
 _DEEPEST = 20
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
-# What states no equation: listings, drawings, and algorithms, where n=n+1 gives a value.
+# Environments that state no equations: listings, drawings, and algorithms, where n=n+1 assigns.
 _VERBATIM = re.compile(
     r"\\begin\{(verbatim\*?|[BLV]?Verbatim|lstlisting|comment|minted|filecontents\*?|tikzpicture"
     r"|algorithm(?:ic|2e)?\*?|thebibliography)\}.*?\\end\{\1\}",
     re.DOTALL,
 )
-# A branch of TeX, the other one, and their end; and what an author decides which is printed.
+# \if..., \else and \fi of TeX, and the declaration of a switch by which an author decides.
 _BRANCH = re.compile(r"\\(?:(?!iff\b|ifthenelse)if[a-zA-Z]*|else|fi)(?![a-zA-Z])")
 _DECIDED = re.compile(r"\\newif\s*\\if([a-zA-Z]+)")
 _VERB = re.compile(
@@ -35,7 +35,7 @@ _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
 _MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
-# So is a directive, whose lines of options may give it a label; in comments there is none.
+# So is a directive, whose option lines may hold a label; comments are matched to skip them.
 _DIRECTIVE = re.compile(
     r"<!--.*?-->|^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$"
     r"(?P<options>(?:\n[ \t]*:[a-z-]+:[^\n]*)*)(?P<body>.*?)^[ \t]*(?P=fence)[ \t]*$",
@@ -45,7 +45,7 @@ _LABELLED = re.compile(r":label:[ \t]*(\S+)")
 _REFERENCE = re.compile(r"\{eq\}`([^`<>]+)`")
 # A formula that is a line of its own is a display.
 _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
-# What Markdown needs a backslash before, so that it is no emphasis.
+# A backslash that keeps Markdown from reading emphasis.
 _ESCAPED = re.compile(r"\\(_)")
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
 # How a block of letters begins, what its lines begin with, and how it ends.
@@ -153,7 +153,7 @@ def _drop_false(text: LocatedText) -> LocatedText:
         ways = re.findall(rf"\\{name}(true|false)(?![A-Za-z])", text.string)
         known[rf"\if{name}"] = ways[-1:] == ["true"]
     parts, last = [], 0
-    # Of each open branch whether it is printed, nothing if that is not known.
+    # For each open branch, whether it is printed; None if that is not known.
     opened: list[bool | None] = []
     for match in _BRANCH.finditer(text.string):
         if False not in opened:

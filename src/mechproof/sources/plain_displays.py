@@ -34,7 +34,7 @@ _FUNCTION_BRACE = re.compile(r"\\empheq(?:big)?lbrace")
 _ROW_END = re.compile(r"\\\\")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
 ONE = (None,)
-# Macros that packages and old TeX have, as far as equations are parted or numbered in them.
+# Macros of packages and old TeX that matter for separating or numbering equations.
 BUILT_IN: Mapping[str, Macro] = {
     r"\qq": Macro(r"\quad\text{#1}\quad ", ONE, has_star=True),
     r"\qc": Macro(r",\quad ", has_star=True),
@@ -57,12 +57,12 @@ BUILT_IN: Mapping[str, Macro] = {
 _LENGTH = r"-?(?:\d+\.?\d*|\.\d+)\s*(?:pt|e[mx]|[cm]m|mu|in|pc|bp)"
 _ROUND = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
 _BOX = rf"f?colorbox(?:\s*{_GROUP})?\s*{_GROUP}|f(?:rame)?box"
-# What prints like something else; a break of lines before it is kept.
+# Spellings that print like another one, which replaces them; a line break before one is kept.
 _ALIKE = tuple(
     (re.compile(rf"(?P<kept>\\\\)|{pattern}"), written)
     for pattern, written in (
         (r"\\cr(?![A-Za-z])", r"\\\\ "),
-        # A number of old TeX.
+        # An equation number in old TeX.
         (r"\\l?eqno(?![A-Za-z])\s*\{?\s*\(?(?P<tag>[\w.*'-]+)\)?\s*\}?", r"\\tag{\g<tag>}"),
         (rf"\\(?:[mh]?kern|[mh]skip)\s*{_LENGTH}|\\[mhv]space\*?\s*\{{\s*-[^{{}}]*\}}", " "),
         (r"\\(?:mspace|vspace\*?)\s*\{[^{}]*\}", " "),
@@ -74,13 +74,13 @@ _ALIKE = tuple(
         # A comma or a point in words.
         (r"\\(?:text|textrm|mbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
-        # Matrices of physics in brackets, whose rows no display has.
+        # Matrices of the package physics in brackets: their rows are not those of the display.
         (rf"\\s?mqty\s*\((?P<rows>{_ROUND})\)", r"\\pmqty{\g<rows>}"),
         (r"\\s?mqty\s*\[(?P<rows>[^\[\]]*)\]", r"\\bmqty{\g<rows>}"),
         (r"\\s?mqty\s*\|(?P<rows>[^|]*)\|", r"\\vmqty{\g<rows>}"),
-        # A formula that is framed, or stands on a colour, among words.
+        # A formula among words that has a frame or a coloured background.
         (rf"\\(?:{_BOX})\s*\{{\s*\$(?P<inside>[^$]*)\$\s*\}}", r"{\g<inside>}"),
-        # How siunitx is to print a number.
+        # Options that tell siunitx how to print a number.
         (
             r"(?P<name>\\(?:SI|qty|num|si|unit|ang)(?![A-Za-z]))\s*\[[^\[\]]*=[^\[\]]*\](?=\s*\{)",
             r"\g<name>",
@@ -94,7 +94,7 @@ _MIXED_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{(?P<words>[^{}$]*\$(?:[^{
 _OVER = re.compile(r"\\over(?![A-Za-z])\s?")
 _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")
 _SAID = re.compile(r"\s*[_^]\s*(?P<label>\{)\s*(?::?=:?|\\equiv|\\triangleq|\\coloneqq)")
-# Words say more than an equation, and a number may be a value in a case.
+# Labels that state no equation: words may say more, and a number may be the value in one case.
 _OPEN = re.compile(r"\s*-?[\d.]+\s*\}|.*\\(?:text|mbox)", re.DOTALL)
 _DELIMITER = re.compile(r"\\(?P<side>left|right)(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 
