@@ -15,14 +15,15 @@ from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import list_signs
 
-# Letters that are functions as often as numbers.
+# Letters that stand for functions as often as for numbers.
 _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
-# What may be a rate or a number beside an angle, a time or a length, and what it is beside.
+# Letters that may be rates or numbers before an angle, a time or a length; functions of angles;
+# angular velocities; and letters for angles, times and lengths.
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
 _OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
 _SPEEDS = (r"\omega", r"\Omega")
 RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
-# Before the letter by which something is differentiated.
+# Signs before the variable of a derivative.
 _BY = ["{", "d"]
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
 

@@ -32,7 +32,7 @@ _MEANS = re.compile(r"\s+is\s+")
 _BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
 _CLAIM = "claim"
 _MODULO = re.compile(r"(.+?)\s+(\(.*|display \d.*|[^\s\\]+)\Z")
-# Letters that are Euler's number, and meanings that say so.
+# Prints of Euler's number, and meanings that name it.
 _E = re.compile(r"\\mathrm\s*\{?\s*e\s*\}?|e")
 _EULER = re.compile(
     r"\beuler['\u2019]?s? (?:number|constant)|\bbase of (?:the )?natural log|\beulersche zahl"
@@ -187,7 +187,7 @@ def _read_letters(line: str) -> list[Declared]:
                 f"a matrix that depends on {moved['by']}: leave ({moved['by']}) out, and declare "
                 f"its derivative in a line of its own, \\dot {moved['name']} {moved['shape']}"
             )
-        # What is said of the last letter is said of all that have no shape of their own.
+        # The shape of the last letter holds for all letters of the line without one of their own.
         shape = _SHAPE.search(text) or last
         size = (int(shape[1]), int(shape[2])) if shape else None
         found_letters.append(_read_letter(_SHAPE.sub("", text), meaning, unit, said, size))
@@ -213,12 +213,12 @@ def _read_letter(
     family = _FAMILY.match(stem) if by and len(names) == 1 else None
     signs, own = _list_signs(family[2]) if family else [], _list_signs(by)
     if family and own and signs[-len(own) :] == own:
-        # What stands before the letters of the index is a part of the name: d_{bi} (i).
+        # Signs before the index letters belong to the name: d_{bi} (i).
         before = "".join(signs[: -len(own)])
         printed = f"{family[1]}_{{{before}#}}" if before else family[1]
         name = symbol.strip() or stem
         return Declared((printed,), meaning, unit, conditions, symbol=name, is_family=True)
-    # What depends on several is no motion.
+    # A letter that depends on several others is no motion.
     by = "" if "," in by else by
     names[0] = stem if by else names[0]
     return Declared(tuple(names), meaning, unit, conditions, shape, by, symbol.strip())
@@ -335,7 +335,7 @@ _WORDS: dict[str, Callable[[Block, str], None]] = {
     "modulo": _modulo,
 }
 _SAY_WHICH = "say which print is which declared letter: in (8)-(13): A is A_r"
-# Words behind whose equations a colon stands, and what to say there.
+# Words whose equations are followed by a colon, and the remedy if it is missing.
 _TOLD: dict[str, tuple[Callable[[Block, list[str], str], None], str]] = {
     "follows": (_follow, "say from which equations: follows (5): (3), (4)"),
     "skip": (_skip, "say why: skip (3): reason"),

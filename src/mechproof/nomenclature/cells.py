@@ -124,7 +124,7 @@ def read_head(text: str, reader: Reader) -> Head | None:
     before = text[: unit.start()] if unit else ""
     letter = _find_letter(before, reader)
     if known and letter and formula:
-        # A unit behind a slash, or a letter.
+        # After a slash there is a unit, or a letter that is divided by.
         other = reader.notation.dimensions.get(letter, known.dimension)
         return None if other == known.dimension else Head(formula, text.strip("$ "), None)
     if formula:

@@ -11,12 +11,12 @@ from mechproof.latex.latex_signs import find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tokens import list_signs
 
-# The letters of last terms, behind dots.
+# Letters that number the last term, behind dots.
 _LAST = ("n", "N", "m", "k")
 _RELATIONS = ("=", "<", ">", r"\le", r"\ge")
-# By one whole numbers leave nothing.
+# Remainders modulo 1, which tell of numbers that are not whole.
 _BY_ONE = re.compile(rf"(?:{'|'.join(map(re.escape, modulo.SIGNS))})\{{?1(?!\d)")
-# What is counted and never halved: no turns, revolutions or cycles, and no virtual teeth.
+# Things that come in whole numbers only: no turns, revolutions or cycles, and no virtual teeth.
 _THINGS = (
     r"(?:(?:equal|identical|cylindrical|round|small|steel)\s+)?"
     r"(?:teeth|pins|planets|planet gears|rollers|balls|cylinders|pistons|blades|lobes|bolts|rivets"

@@ -35,7 +35,7 @@ from mechproof.record import NUMBER, Notation, Variable
 from mechproof.record.unit_notation import ONE, Unit, UnitError, read_unit, weigh_unit
 from mechproof.sources.located_text import Place
 
-# The unit behind a size.
+# The unit at the end of a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?\{?-?\d\}?)?)+)\s*\Z")
 
 

@@ -12,7 +12,7 @@ from mechproof.latex.latex_signs import find_close, measure_depths
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import list_letters, skip_power
 
-# What is printed behind a letter that depends on time.
+# Signs behind a letter that depends on time: none, (t) or (0).
 _OF_TIME = {"", "(t", "(0"}
 
 
@@ -47,7 +47,7 @@ def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
         inside = texts[end + 1 : close]
         arguments = [x for x, _ in list_letters(inside)]
         behind = {x for x, _ in list_letters(texts[close + 2 :])}
-        # By itself, v(t)=v+at, it is another letter.
+        # If the letter itself is on the right, as in v(t)=v+at, it is a different one.
         is_timed = letter in timed and inside == ["t"] and letter not in behind
         if (
             (letter in bracketed or is_timed)

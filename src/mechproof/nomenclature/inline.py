@@ -28,7 +28,7 @@ EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
-# Words before what holds in a case, as a speed does not "at" its value.
+# Words before something that holds in one case; "at" before the value of a speed is none.
 _CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at|for)\s+\Z", re.IGNORECASE)
 # Words of a sentence that defines no letter: it denies, assumes, solves or tells of a position.
 _NO_DEFINITION = re.compile(
@@ -40,7 +40,7 @@ _NO_DEFINITION = re.compile(
     re.IGNORECASE,
 )
 _DEFINING = re.compile(r",\s*(?:with|where)\s+\Z")
-# What is said of a speed that is a constant, and of one that is none.
+# Words for a constant speed, and for one that changes.
 _STEADY = re.compile(r"(?<!not\s)\b(?:constant|uniform(?:ly)?)\b")
 _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+|changes?)\b")
 _BEFORE = 70
@@ -52,7 +52,7 @@ _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
 _SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
 _BEHIND = 30
-# Where the unit behind a number may end: before the word "in", that is no inch.
+# Where the unit behind a number may end; not behind the word "in", which is no inch.
 _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
 

@@ -16,11 +16,11 @@ _LETTER = (
 _CAPITAL = rf"[A-Z]{_INDEX}"
 _TERM = rf"(?:1|{_CAPITAL}(?:\s*{_CAPITAL})*)"
 _LEFT, _RIGHT = r"(?:\\left\s*)?", r"(?:\s*\\right)?"
-# Square brackets that are no brackets: of a line break, of a root, of an environment.
+# Optional arguments in square brackets: of a line break, a root, an arrow, an environment.
 _OPTION = re.compile(
     r"\\\\\s*\[[^\]]*\]|\\(?:sqrt|smash|x[a-z]+arrow|begin\{[^{}]*\})\s*\[[^\]]*\]"
 )
-# With limits behind it, it is what an integral is between them.
+# With limits behind it, the bracket is the value of an integral between them.
 _BRACKETED = rf"\[\s*{_LETTER}{_RIGHT}\s*\](?!\s*_)"
 _SURE_T = (
     r"\{?\s*\\(?:(?:top|intercal)(?![A-Za-z])|(?:math|text)?(?:rm|sf)\s*\{?\s*T|text\s*\{\s*T)"
@@ -42,7 +42,7 @@ _SIGNS = (
 )
 _TRANSPOSED = rf"{_WITHIN}(?P<shown>{_LETTER}\s*\^\s*{_PLAIN_T})"
 _SANS_SERIF = re.compile(rf"\\mathsf\s*\{{?\s*([A-Z])\s*\}}?({_INDEX})")
-# What is of matrices, and capital letters in it.
+# Functions of matrices, with the capital letters in their arguments.
 _OF_MATRICES = re.compile(
     r"\\(?:det|(?:operatorname|mathrm|text)\s*\{\s*(?:det|tr|Tr|rank|adj)\s*\})(?![A-Za-z])\s*"
     rf"(?:{_LEFT}[(\[]([^()\[\]]*)[)\]]|({_CAPITAL}))"
@@ -59,7 +59,7 @@ def find_possible_matrices(
 ) -> Iterator[tuple[str, str]]:
     """Yield the names of letters that are printed as matrices are, each with such a print."""
     names = {*map(name_symbol, letters)}
-    # A letter T may stand in exponents.
+    # If T is a letter of the paper, it may be an exponent.
     signs = _SIGNS if "T" in names else (*_SIGNS, _TRANSPOSED)
     patterns = [re.compile(sign) for sign in signs]
     for latex in prints:

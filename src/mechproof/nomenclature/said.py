@@ -20,7 +20,7 @@ _UNIT = (
     r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)"
     r"|,?\s+in\s+(rad|deg|rpm|[kMmc]?(?:m|g|N|Nm|Pa|W|Hz|s))\b))?"
 )
-# A unit right behind letters: "a mass $m$ in kg", "the force $F$ [N]".
+# A unit directly behind letters: "a mass $m$ in kg", "the force $F$ [N]".
 _MULTIPLE = r"(?:rad|deg|°|rpm|[kMmcµ]?(?:m|g|N|Nm|Pa|W|J|Hz|s)|min)(?:\^?\{?-?[1-3]\}?)?"
 _SAID_UNIT = rf"{_MULTIPLE}(?:\s*[/·]\s*{_MULTIPLE}){{0,2}}(?![\w/^])"
 _BESIDE = re.compile(
@@ -30,12 +30,12 @@ _BESIDE = re.compile(
 )
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _ARTICLE = r"(?:the\s+|an?\s+)?"
-# An "and" behind a meaning that goes on with few words: "of the rear and front wheel".
+# An "and" that ends a meaning, as it does not in "of the rear and front wheel".
 _AND = (
     r"\s+and\s(?!(?!the\b|an?\b|it|we\b|they\b|th[ai]|has\b|is\b)"
     r"(?:[a-z-]+[ ]){0,2}[a-z-]+\s*[.,;:(])"
 )
-# What is said of several letters: where it ends, commas do not tell.
+# A list of letters whose meanings stand together; these may hold commas, which do not end them.
 _NAMES = (
     r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$"
     r"|\$(?:(?:[^$&|\n{},]|\{[^{}$]*\}){1,30},){1,6}[^$&|\n]{1,30}\$)"
@@ -51,7 +51,7 @@ _NO_NAME = (
     r"|functions?|points?|between|into|we|it|respect)\b"
 )
 _WORD = rf"(?!{_NO_NAME})[A-Za-z][a-z-]+"
-# What things have: "a crank of radius $r$" is about the radius.
+# Properties of things: "a crank of radius $r$" is about the radius.
 _HAD = (
     r"(?:(?:[a-z]+\s)?(?:radius|diameter|length|width|height|mass|weight|stiffness|speed|area)\b)"
 )
@@ -87,7 +87,7 @@ _PATTERNS = (
         rf"{_UNIT}[ \t]*(?=[.,;:(\n\\]|\Z)",
         re.MULTILINE,
     ),
-    # A line of its own, between breaks: whatever the verb of its language is.
+    # A line between line breaks, whatever the verb of its language is.
     re.compile(
         rf"^[ \t]*{_NAME}[ \t]+(?P<meaning>[^\W\d_][^.,;:$\\\n(\[]{{2,60}}?)"
         rf"{_UNIT}[ \t]*[.,;]?[ \t]*(?=\\newline|\\\\)",
@@ -110,27 +110,27 @@ _PATTERNS = (
         re.MULTILINE,
     ),
 )
-# What begins so, or is no more than that, says what is done with a letter, not what it is.
+# Words that begin a meaning, or are all of it, and tell what is done with a letter, not what it is.
 _NO_NOUN = re.compile(
     r"(?:defined|given|called|denoted|obtained|chosen|equal|shown|known|found|used|assumed|said|taken"
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
     r"|[a-z]+\s+to\s+be|[a-z]+ed\s+(?:at|by|in|on|to|with|from|between)|larger|not|also|then|thus|as|to|in|on|at|by|of|for|from|with|always|never|only)\b"
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
-    # A sentence of its own: "with $a$, $b$ the length of the path is", "the belt couples $a$".
+    # A clause of its own: "with $a$, $b$ the length of the path is", "the belt couples $a$".
     r"|.*\b(?:is|are|becomes?|equals?|reads?|follows|couples|relates|connects)\Z"
     # The bullet of an item behind a colon.
     r"|\W*\Z"
 )
-# What emphasizes words in Markdown.
+# Asterisks that emphasize words in Markdown.
 _EMPHASIS = re.compile(r"(?<=\w)\*+|\*+(?=\w)")
-# What stands between letters, not in their indices.
+# Separators of letters in a list, but not in indices.
 _BETWEEN = re.compile(r",(?![^{}]*\})|\band\b")
 _RESPECTIVELY = re.compile(r",?\s*respectively")
 _ITEMS = re.compile(r",\s*(?:and\s+)?(?:the\s+)?|\s+and\s+(?:the\s+)?")
-# The end of a line within a sentence.
+# A line break within a sentence.
 _WRAPPED = re.compile(r"(?<=\w)\n(?=[ \t]*[a-z])")
 _INLINE = re.compile(r"\\([()])")
-# What words say of the number pi itself.
+# Words by which a sentence is about the number pi itself.
 _NUMBER = re.compile(r"circ|constant|number|approx|irrational|3[.,]1", re.IGNORECASE)
 
 

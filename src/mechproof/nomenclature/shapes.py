@@ -40,11 +40,11 @@ def _is_bold_capital(node: tree.Node) -> bool:
 NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
 _NUMBERS = (tree.Number, tree.Constant, tree.Radical)
 _BOLD_CAPITAL = re.compile(r"\\(?:mathbf|bm)\{[A-Z]\}")
-# Scripts at the left for two frames, and what they belong to.
+# Scripts at the left for two frames, and the letter behind them.
 _CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
-# The beginning of the name of a rate.
+# The prefix of the name of a rate.
 _RATE = re.compile(r"\Ad*dot")
-# A table of more entries is none of blocks.
+# A table with more rows or columns is not taken to be made of blocks.
 _BLOCKS = 2
 
 
@@ -81,7 +81,7 @@ class Shapes:
         before: list[int] = []
         while before != (after := [len(self.known), len(self.crosses), len(self.unclear)]):
             if before and before[-1] != after[-1]:
-                # Nothing may follow from one of several shapes.
+                # Nothing may be concluded from a letter with several shapes.
                 self.known.clear()
                 self.crosses.clear()
             before = after
@@ -94,7 +94,7 @@ class Shapes:
     def _look(self, node: tree.Node) -> None:
         """Take what one node says."""
         if isinstance(node, tree.Chain) and {*node.relations} <= {"="}:
-            # A zero may be one of any size.
+            # A zero may stand for a matrix of any size.
             members = [
                 x for x in node.members if not (isinstance(x, tree.Number) and x.text == "0")
             ]
@@ -255,7 +255,7 @@ class Shapes:
         if shape == NUMBER or self._is_cross(node):
             return
         if shapes.count(None) > 1:
-            # Beside a vector, other letters are numbers.
+            # Beside a vector, unknown letters are taken to be numbers.
             shapes = [
                 NUMBER if one is None and not _is_vector(x) else one
                 for x, one in zip(node.factors, shapes, strict=True)

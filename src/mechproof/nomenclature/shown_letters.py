@@ -41,20 +41,20 @@ REMEDIES = Remedies(
 _ASKS = re.compile(r"a bracket after (.+?): a factor")
 _INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
 _ITALICS = re.compile(r"([A-Za-z]+) in italics: a function")
-# What is mostly meant by the power -1 of a function.
+# The functions that the power -1 mostly means.
 INVERSES = {
     **{"sin": "arcsin", "cos": "arccos", "tan": "arctan"},
     **{"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"},
 }
 _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
-# A bracket, and what of it holds arguments: one letter, or several parts.
+# A bracket, and contents that are arguments: one letter, or several parts.
 _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
-# A power of e that is none of a length.
+# A power of e that is not the square, say, of a length e.
 _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
-# What stands behind the first value of an index.
+# Signs behind the first value of an index.
 _RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
-# Prints in which such a letter is no quantity.
+# Prints that show that such a letter is no quantity.
 _NO_LETTER = {
     "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
@@ -62,26 +62,26 @@ _NO_LETTER = {
 }
 # Letters that mostly run through families.
 INDICES = "ijklmn"
-# Signs of an increment, where they stand alone: they are letters then.
+# Signs of an increment where they stand alone, and so are letters.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
     for sign in (r"\delta", r"\Delta")
 }
-# The letter, where it is no sign of a transposed matrix, and no other one with an index.
+# The letter T, but not the sign of a transpose, or a letter with an index.
 _PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z]|\s*_)")
-# The beginning of the print of a rate.
+# The prefix of the print of a rate.
 _RATE = re.compile(r"\A\\d*dot\{")
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
     r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
-    # With a factor behind it it has another shape than the letter.
+    # With a factor behind it, its shape is not that of the letter.
     r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|end|\\|[,;]))",
     re.DOTALL,
 )
-# What stands between equations in a line.
+# Separators of equations in a line.
 _BEFORE = re.compile(r"\A(?:\s|,|;|\\q?quad|\\[,;: ])+")
 
-# A letter with an index, and what is raised above it if that may be another one: T_0^1.
+# A matrix letter with an index, and a superscript that may be a second one: T_0^1.
 _FRAMED = re.compile(
     r"(?<![A-Za-z\\])(?P<stem>[A-Z]|\\(?:mathbf|mathrm|boldsymbol|bm)\s*\{[A-Z]\})"
     r"_(?:\d|[a-z]|\{[a-z\d+-]+\})(?:\^(?P<to>\d|[a-z]|\{[a-z\d][a-z\d+-]*\})(?![\d^]))?"
@@ -146,7 +146,7 @@ def collect_letters(
         if isinstance(found, ReadingError):
             unread[latex] = found
             named = _NAMES.search(found.remedy)
-            # What stands beside a letter that may be none is still asked.
+            # A letter beside one that may be no letter is still asked for.
             beside = [named[1]] if guess and named and named[1] in _NO_LETTER else []
             found = _collect_from(latex, guesses, beside) if beside else []
         if not isinstance(found, ReadingError):
@@ -173,7 +173,7 @@ def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
         indexed = [x.partition("_") for x in map(strip_braces, letters)]
         running = {index for stem, _, index in indexed if stem in summed} & {*INDICES}
         families |= {stem: None for stem, _, index in indexed if index in running}
-    # The last one is printed by its number: m_n, x_N.
+    # The last member has its number as index: m_n, x_N.
     index = rf"[-+\d{INDICES}MN]+"
     names = ((x, strip_braces(print_member(x, INDEX))) for x in families)
     return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
@@ -217,7 +217,7 @@ class _Guesses:
             return _enter(f"{asked[1]}({arguments})", self.letters, None)
         if not named or self._is_taken_up(named[1]):
             return False
-        # Where nothing is declared, such a letter may still be taken, also with an index.
+        # Where nothing is declared, such a letter may be taken after all, also with an index.
         if not (self.declares or named[1].partition("_")[0] in _NO_LETTER):
             return False
         sign = named[1].partition(" ")[0]
@@ -265,7 +265,7 @@ def _collect_from(
         try:
             found = make_reader([*guesses.letters, *beside], guesses).collect(latex)
             for letter in found:
-                # A name may have scripts that no print has: a second index behind a power.
+                # A name may have scripts that no print has, such as a second index behind a power.
                 tokenize(letter)
             return found
         except ReadingError as error:

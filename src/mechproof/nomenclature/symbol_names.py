@@ -22,10 +22,10 @@ from mechproof.record import Variable
 from mechproof.record.unit_notation import read_unit
 from mechproof.sources.located_text import Place
 
-# Derivatives of a letter that have prints of their own.
+# Orders of derivatives that have prints of their own.
 ORDERS = (1, 2, 3)
 TIME = "t"
-# A letter with its accents, and what stands behind it.
+# A letter with its accents, and the rest of its name.
 _ACCENT = "|".join(map(re.escape, ACCENTS))
 _STEM = re.compile(
     rf"((?:(?:{_ACCENT})(?![A-Za-z])\s*)*(?:\\[A-Za-z]+(?:\s*\{{[^{{}}]*\}})?|\{{[^{{}}]*\}}|.))(.*)\Z",

@@ -23,7 +23,7 @@ from mechproof.record.unit_notation import UNITS
 from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Place
 
-# The letter and the order of a rate, by its name.
+# For the name of a rate: its letter, and its order.
 Chained = Mapping[str, tuple[str, int]]
 _TO = "-"
 
