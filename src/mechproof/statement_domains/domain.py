@@ -37,17 +37,17 @@ _Pairs = tuple[tuple[sp.Basic, sp.Expr], ...]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
-# After so many tries without a point, points are searched for; how many are enough then.
+# Tries without a point after which a search begins; points that are enough from that search.
 _BARREN = 80
 _FEW = 12
-# Angles at which a reader looks first.
+# Angles that a reader would try first.
 _ROUND_ANGLES = tuple(
     sp.pi * sp.Rational(degrees, 180) for degrees in (30, 45, 60, 90, 120, 150, 180, 270, 360)
 )
 _ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
-# Points for each choice of sizes and angles: of what is neither, a few values.
+# Points for each choice of sizes and angles, between which the other symbols vary.
 _EACH = 3
-# What tells how a letter is set.
+# Characters of a name that only tell how it is typeset.
 _SETTING = str.maketrans("", "", "\\{} ")
 
 
@@ -266,7 +266,7 @@ class Domain:
                 yield {**inside, **dict(zip(several, corner, strict=True))}
 
 
-# The entries of a matrix, and the rungs of a proof, ask for the same points.
+# Kept: all entries of a matrix, and all rungs of a proof, ask for the same points.
 _find_points = lru_cache(maxsize=256)(Domain._find_points)
 
 
@@ -341,7 +341,7 @@ def _tie(relations: list[sp.Basic], point: Point) -> Point:
 
 def _allowed(relations: list[sp.Basic], point: Point) -> bool:
     return all(
-        # Equal fractions are equal, whatever their balls say.
+        # Exactly equal fractions, which balls cannot show to be equal.
         (isinstance(relation, sp.Eq) and relation.xreplace(point) == sp.true)
         or balls.truth(relation, point) is True
         for relation in relations

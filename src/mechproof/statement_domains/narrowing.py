@@ -18,9 +18,9 @@ from mechproof.record.relations import find_slack
 from mechproof.statement_domains.set_values import COUNTS, place, radical_inverse
 
 Values = Mapping[sp.Basic, sp.Expr]
-# Relations that go round in a circle could narrow for ever.
+# Work limit: relations that form a circle could narrow for ever.
 _ROUNDS = 12
-# Unlike starts before a search that has found nothing is given up.
+# Different starts after which a search without a result is given up.
 _STARTS = 24
 
 

@@ -11,7 +11,7 @@ from mechproof.record import ValueWhere
 from mechproof.record.parts import find_parts, has_parts
 from mechproof.record.substitution import write_sums_out
 
-# Work limit: so many factors are written out between two factorials.
+# Work limit: factors written out between two factorials.
 _FARTHEST = 20
 
 

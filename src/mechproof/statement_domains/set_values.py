@@ -16,7 +16,7 @@ import sympy as sp
 from mechproof.record import RecordError
 
 COUNTS = (sp.S.Naturals, sp.S.Naturals0, sp.S.Integers)
-# Where formulas that hold at ordinary points fail: zero, one, fractions of a turn.
+# Values at which formulas fail that hold elsewhere: one, a half, fractions of a turn.
 _SPECIAL = tuple(
     sign * value
     for value in (sp.S.One, sp.S.Half, sp.pi / 2, sp.pi, sp.pi / 3, sp.pi / 4, 2 * sp.pi)
@@ -50,7 +50,7 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
     return sp.Rational(numerator, denominator)
 
 
-# The same numbers are placed in the same sets for every row.
+# Kept: the same numbers are placed in the same sets for every row.
 @lru_cache(maxsize=4096)
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
