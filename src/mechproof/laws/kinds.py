@@ -86,7 +86,7 @@ def check_limits(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:
     return check_array("lower", lower), check_array("upper", upper)
 
 
-# Steps of at most 18 nats of exp(-z**2 / 2), out to where a double underflows.
+# Standard scores at which exp(-z**2 / 2) falls by another 18 nats, out to underflow.
 _Z = 6.0 * np.sqrt(np.arange(40))
 NORMAL_KNOTS: Array = np.concatenate([-_Z[:0:-1], _Z])
 
@@ -206,7 +206,7 @@ class Uniform(BoundedLaw):
         return np.stack(np.broadcast_arrays(self.lower, self.upper), axis=-1)
 
 
-# If the density changes by less than this share between the limits, the law is rectangular.
+# Relative change of the density between the limits below which the law counts as rectangular.
 FLAT = 1e-9
 
 
