@@ -13,7 +13,7 @@ from typing import NoReturn
 from mechproof.tools.extras import tell_missing
 from mechproof.tools.processes import ENDING
 
-# What the extra `derive` installs, as it is imported.
+# Packages that the extra `derive` installs, by the names under which they are imported.
 EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "sympy", "typer")
 
 
@@ -24,7 +24,7 @@ def main() -> None:
     folder that cannot be written to, is a sentence and status 1.
     """
     for number in ENDING:
-        # What was told to ignore it goes on.
+        # Signals that the caller has set to be ignored stay ignored.
         if signal.getsignal(number) is signal.SIG_DFL:
             signal.signal(number, _end)
     _check_streams()
@@ -54,7 +54,7 @@ def _give_up(error: OSError) -> NoReturn:
     with suppress(OSError):
         if not isinstance(error, BrokenPipeError):
             print(f"mechproof: {error}", file=sys.stderr, flush=True)
-    # What is left of the output would fail once more at the end.
+    # Unwritten output would fail once more at exit.
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
         os.dup2(nowhere, stream.fileno())
@@ -68,8 +68,8 @@ def _run() -> None:
     if missing:
         print(tell_missing("mechproof", "derive", *missing), file=sys.stderr)
         sys.exit(2)
-    # SymPy makes many objects that live: it is to remember more of them, and garbage is looked for
-    # less often. Read when SymPy is imported.
+    # SymPy makes many long-lived objects: a larger cache and rarer garbage collections save time.
+    # SymPy reads this variable when it is imported.
     os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
     gc.set_threshold(1_000_000)
     from mechproof.cli import app

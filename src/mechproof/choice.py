@@ -34,7 +34,7 @@ from mechproof.tools.extras import tell_install
 # Ways with these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
-# The package that shows an extra is installed, and the folder of the kernels that need it.
+# For each extra, a package that shows that it is installed, and the folder of its kernels.
 EXTRAS = {"fast": "numba", "derive": "flint"}
 TAILORING = "derive,fast"
 FOLDERS = {"": "", "fast": "compiled."}

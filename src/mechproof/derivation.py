@@ -39,10 +39,10 @@ Chosen = Mapping[str, tuple[str, ...]]
 # The key of the form that the derivation itself ships.
 STATED = "as_stated"
 PACKAGE = "mechproof.derivations"
-# Folders that are not the package's get a package name of their own for each load.
+# Prefix of package names: each load of a folder from elsewhere gets a new one.
 LOADED = "_mechproof_derivations_"
 _numbers = count(1)
-# The module of the paper that was last loaded from a place, and the way back.
+# Names of the modules last loaded, by the place of the paper, and the places by name.
 _modules: dict[Path, str] = {}
 _places: dict[str, Path] = {}
 

@@ -25,11 +25,11 @@ from mechproof.arguments.scalars import refuse, require
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
-# The precision of balls belongs to a process: threads that compute with them take turns.
+# The precision of balls is global to a process: threads that compute with balls take turns.
 BALLS = Lock()
-# Tasks that a worker does at a time: sending one costs as much as a small task.
+# Tasks sent to a worker at once, as sending one costs as much as doing a small one.
 BATCH = 16
-# Batches that are under way or wait for their turn: enough for some ten workers, few in memory.
+# Batches running or waiting: enough for some ten workers, and few enough for the memory.
 IN_FLIGHT = 32
 
 
@@ -101,8 +101,8 @@ def _submit(
 ) -> Future[list[Result] | _Failure]:
     try:
         if isinstance(executor, ProcessPoolExecutor):
-            # Told before others wait: a pool of Python 3.11.2 whose last tasks are cancelled may
-            # never end.
+            # Checks at once that the task can be sent: in Python 3.11.2 a pool whose last tasks are
+            # cancelled may never end.
             ForkingPickler.dumps((function, tasks))
         return executor.submit(_run, function, tasks, np.geterr())
     except Exception as error:

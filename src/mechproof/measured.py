@@ -29,15 +29,15 @@ Kind = Literal["kernel", "form", "source", "peer"]
 Span = tuple[float, float]
 # Arguments of one call: numbers, and tuples of numbers where an argument has axes of its own.
 Point = tuple[Any, ...]
-# The verdict of a way of which nothing is proved.
+# Verdict of a way of which nothing is proved.
 MEASURED = "MEASURED"
-# The kernel as `mechproof emit c` writes it, measured where there is a compiler, or a GPU.
+# The kernel as `mechproof emit c` writes it, measured where a compiler, or a GPU, is found.
 IN_C, ON_GPU = "kernel, C", "kernel, GPU"
-# What copying the result takes, timed with the ways.
+# Name of the time for copying the result, measured along with the ways.
 COPY = "memory copy"
 ERROR_DIGITS, TIME_DIGITS = 4, 3
 SUFFIX = ".json"
-# The package of generated kernels, and of it the folder of what was measured.
+# The package of generated kernels, and its folders of measurements.
 KERNELS = "mechproof.kernels"
 FOLDER, QUICK = "measured", "quick"
 
