@@ -164,7 +164,7 @@ class Field:
         return self._circle[monomial]
 
     def _point_of_argument(self, node: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Return cos and sin of the argument of a vector: its components by its length."""
+        """Return cos and sin of an inverse function: a vector's components over its length."""
         if isinstance(node, sp.asin | sp.acos):
             side, root = self._translate(node.args[0]), self._translate_root(1 - node.args[0] ** 2)
             return (root, side) if isinstance(node, sp.asin) else (side, root)

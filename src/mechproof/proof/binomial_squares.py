@@ -96,7 +96,7 @@ def _drop_odd_roots(value: sp.Expr) -> sp.Expr:
 
 
 def _is_small(polynomial: sp.Expr) -> bool:
-    """Tell whether a polynomial has few terms of low degrees, before it is multiplied out."""
+    """Tell whether a polynomial has few terms and a low degree, without multiplying it out."""
     degree, terms = _measure(polynomial)
     return degree <= _LARGEST_DEGREE and terms <= _MOST_EXPANDED
 
@@ -113,7 +113,7 @@ def _measure(part: sp.Expr) -> tuple[int, int]:
 
 
 def _is_sum(polynomial: sp.Poly, *, strict: bool) -> bool:
-    """Tell whether a polynomial is such a sum; a strict one has the square of a number in it."""
+    """Tell whether a polynomial is a sum of such squares; if strict, with a positive number too."""
     terms = dict(polynomial.terms())
     squares = list(_list_squares([*terms]))
     if not squares:

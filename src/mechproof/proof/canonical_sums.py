@@ -124,7 +124,7 @@ def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
 
 
 def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
-    """Draw the inner sums of a summand, products and whole powers of sums included, out of it."""
+    """Move the inner sums of a summand, in products and whole powers too, out of it."""
     if not has_parts(node, sp.Sum):
         return node
     if isinstance(node, sp.Mul):
@@ -182,7 +182,7 @@ def _components(factors: list[sp.Expr], indices: set[sp.Symbol]) -> list[list[sp
 
 
 def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
-    """Name the indices in the order that gives the first expression of all orders."""
+    """Return a sum with canonical index names: of all orders, the one whose text sorts first."""
     if len(limits) == 1 and (power := _power_of_index(body, limits[0][0])):
         return _sum_of_powers(power, limits[0][1])
     names = [_index(k) for k in range(1, len(limits) + 1)]

@@ -111,7 +111,7 @@ def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def _begin_at_zero(side: sp.Expr) -> sp.Expr:
-    """Count the terms of sums that begin at a letter from zero on."""
+    """Write sums that begin at a letter with terms counted from zero on."""
 
     def move(total: ExprWithLimits) -> sp.Expr:
         index, low, high = total.limits[0]
@@ -185,7 +185,7 @@ def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
 
 
 def _choose(difference: sp.Expr, above: sp.Expr, below: sp.Expr) -> sp.Expr:
-    """Return one where the difference is positive, else the other; one condition in one way."""
+    """Return cases: `above` where the difference is positive, else `below`, in a canonical form."""
     if difference.could_extract_minus_sign():
         difference, above, below = -difference, below, above
     alone = [s for s in sorted(difference.free_symbols, key=str) if difference.coeff(s) == 1]
@@ -232,7 +232,7 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
 
 
 def _refuse_empty(domain: Domain) -> Domain | None:
-    """Return a domain, None where its relations leave some letter no value."""
+    """Return a domain, None where its relations leave no value for some letter."""
     sets = {symbol: domain.set_of(symbol) for one in domain.where for symbol in find_free(one)}
     return domain if leaves_values(sets, domain.where, {}) else None
 
@@ -301,7 +301,7 @@ def fix(domain: Domain, value: Mapping[sp.Basic, sp.Expr]) -> Domain:
 
 
 def _join(rungs: Iterable[str | None]) -> str | None:
-    """Name the rungs of all cases, None if one has none."""
+    """Return the names of the rungs of all cases, None if one of them is not proved."""
     found = {RUNG: None}
     for rung in rungs:
         if rung is None:

@@ -96,7 +96,7 @@ def _write_word(symbol: sp.Symbol) -> str:
 
 
 def _write_upright(name: str) -> str:
-    """Write a word upright, a Greek letter as one, and what is neither as it is."""
+    """Write a word upright, a Greek letter as its command, and anything else as it is."""
     if not _WORD.fullmatch(name):
         return name.translate(_ESCAPES)
     letter: str = translate(name)
@@ -148,7 +148,7 @@ def _take_factor_out(term: sp.Expr, *limits: sp.Tuple) -> sp.Expr:
 
 
 def _sum_once(term: sp.Expr, limits: Sequence[sp.Tuple]) -> tuple[sp.Basic, ...]:
-    """Sum over one index where a delta of Kronecker leaves no more of two."""
+    """Return a sum over one index where a Kronecker delta makes two equal."""
     (index, *ends), *others = limits
     for other in others:
         delta = sp.KroneckerDelta(index, other[0])
@@ -164,7 +164,7 @@ def _split_power(power: sp.Pow) -> sp.Expr:
 
 
 def _weigh(formula: sp.Basic, most: int | None = None) -> int:
-    """Count the parts of a formula, as often as they are written, to one beyond the most."""
+    """Count the parts of a formula, repeated ones again, up to one more than `most`."""
     beyond = None if most is None else most + 1
     return sum(1 for _ in islice(sp.preorder_traversal(formula), beyond))
 

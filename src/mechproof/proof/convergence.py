@@ -66,7 +66,7 @@ def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
 
 
 def _list_parts(integral: sp.Integral, claimed: sp.Expr, domain: Domain) -> list[Domain]:
-    """List where the one limit is above the other, and below.
+    """List the parts of the domain where one limit is above the other, and where it is below.
 
     Between limits that are the same an integral is zero: all is one part unless that is not
     claimed there.
@@ -117,7 +117,7 @@ def _lacks_integrand(integral: sp.Integral) -> bool:
 
 
 def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a side is a multiple of what has no value, and what else may stand beside it."""
+    """Tell whether a side is a multiple of a node without a value, plus other terms."""
     name = sp.Dummy("value")
     factor = sp.diff(side.xreplace({node: name}), name)
     return not factor.has(name) and is_nonzero(factor, domain)
@@ -158,7 +158,7 @@ def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
 
 
 def _tell_sum(total: sp.Sum, domain: Domain) -> str:
-    """Say that the sizes of the terms come to what is not zero."""
+    """Say that the sizes of the terms do not tend to zero."""
     if (read := read_endless(total)) is None:
         return ""
     term, k, _ = read
@@ -169,7 +169,7 @@ def _tell_sum(total: sp.Sum, domain: Domain) -> str:
 
 
 def _write_size(factor: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write a power of a negative number by that of its size."""
+    """Write a power of a negative number by the power of its size."""
     base, exponent = factor.as_base_exp()
     return (-base) ** exponent if is_positive(-base, domain) else factor
 
@@ -183,7 +183,7 @@ def _tell_limit(limit: sp.Limit, domain: Domain) -> str:
 
 
 def _swings(body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
-    """Tell whether limits differ along places at which an angle is one number and turns.
+    """Tell whether limits differ along sequences on which an angle is constant up to whole turns.
 
     The angle is a polynomial, and all sines and cosines are of whole multiples of it.
     """
@@ -274,7 +274,7 @@ def _join(nodes: Sequence[Any], find: Callable[[Any], Iterator[Slack]]) -> list[
 
 
 def _list_by_form(node: Any) -> Iterator[Slack]:
-    """List what is positive where powers and exponentials of what runs come to nothing."""
+    """List needs for convergence, read from the exponents of powers and exponentials."""
     if isinstance(node, sp.Sum):
         _, low, high = node.limits[0]
         if low.free_symbols and high.is_finite is not False:

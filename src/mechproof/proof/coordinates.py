@@ -81,7 +81,7 @@ def _name_tangent(angle: sp.Expr) -> sp.Dummy:
 
 
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
-    """Let a number of an interval be written by one that is positive or not negative."""
+    """Replace a number of an interval by an expression in one that is positive or not negative."""
     if where in COUNTS and where != sp.S.Integers:
         where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
     if not isinstance(where, sp.Interval) or where == sp.S.Reals:
@@ -102,7 +102,7 @@ def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinat
 
 
 def name_positive(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Let each exponential of a real number, and factorial of a count, be a positive number."""
+    """Replace exponentials of real numbers and factorials of counts by positive variables."""
     nodes = sorted(expression.atoms(sp.exp, sp.factorial), key=sp.default_sort_key)
     named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.is_positive}
     coordinates.positive |= set(named.values())
@@ -110,7 +110,7 @@ def name_positive(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
 
 
 def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Let each absolute value, its squares being squares of the number, be one not negative."""
+    """Replace absolute values by variables that are not negative, their squares by those inside."""
     if not expression.has(sp.Abs):
         return expression
     # Multiplied out with names in it: of a new absolute value SymPy would ask for the sign.
@@ -132,7 +132,7 @@ def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
 def name_roots(
     expression: sp.Expr, radicands: Iterable[sp.Expr], is_positive: Callable[[sp.Expr], bool]
 ) -> tuple[sp.Expr, tuple[sp.Symbol, ...]]:
-    """Let roots of these positive radicands be numbers of which the squares are known; name these.
+    """Replace roots of these positive radicands by variables with known squares; return these, too.
 
     Roots of quotients and products go by those of their factors: sqrt((1 + e)/(1 - e))*sqrt(1 -
     e**2) is 1 + e then.
@@ -173,7 +173,7 @@ def _name_root(
 
 
 def free_tangents(expression: sp.Expr) -> sp.Expr:
-    """Let the tangent of an angle be any real number, where no sine or cosine of it occurs.
+    """Replace the tangent of an angle by any real number, where its sine and cosine do not occur.
 
     Those of twice the angle are written by that number.
     """

@@ -52,7 +52,7 @@ def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
-    """List what is zero where a side may have no value, and counts of which it is not known."""
+    """List what has counts and may be zero, and leaves a side without a value where it is."""
     below = {divisor for side in sides for divisor in list_divisors(side)}
     # Below a line that of a negative number is no pole: its quotient is zero there.
     above = {f for side in sides for f in find_parts(side, sp.factorial)} - below

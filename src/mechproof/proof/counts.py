@@ -32,7 +32,7 @@ def has_steps(expression: sp.Expr, domain: Domain) -> bool:
 
 
 def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, Domain] | None:
-    """Let a count be any real number from the first count on; None where it has no first one.
+    """Replace a count by any real number from its first value on; None where it has no first one.
 
     Powers of what may be negative have no real values between whole exponents, factorials others.
     """

@@ -166,7 +166,7 @@ def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domai
 
 
 def _covers(needs: list[Slack], others: list[Slack], domain: Domain) -> bool:
-    """Say whether each of the others is one of the needs."""
+    """Tell whether each of the others is one of the needs."""
     return all(any(_is_one(need, other, domain) for need in needs) for other in others)
 
 

@@ -72,7 +72,7 @@ def _write_far_out(expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int)
 
 
 def _write_directions(expression: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write signs and absolute values of what has a sign in the end by that: roots are powers."""
+    """Replace signs and absolute values of numbers whose direction far out is known."""
     nodes = (node for node in expression.atoms(sp.sign, sp.Abs) if node.has(_Y))
     ways = {node: _find_direction_far_out(node.args[0], domain) for node in nodes}
     known = {node: sp.Integer(way) for node, way in ways.items() if way is not None}
@@ -136,7 +136,7 @@ def _find(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
 
 
 def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
-    """Return the product of limits, also infinite ones; 0 where its logarithm says so."""
+    """Return the product of the limits, infinite ones included; 0 if its logarithm tends to -oo."""
     limits = [_find(factor, domain, depth) for factor in node.args]
     known = [limit for limit in limits if limit is not None]
     if len(known) == len(limits):

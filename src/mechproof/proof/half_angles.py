@@ -139,7 +139,7 @@ def _find_range(node: sp.Expr, domain: Domain) -> sp.Interval:
 
 
 def _list_places(argument: sp.Expr, domain: Domain) -> list[sp.Expr]:
-    """List numbers that an argument may be above or below: ends of its set, else a few."""
+    """List numbers to compare an argument with: the ends of its set, else a few usual ones."""
     values = domain.set_of(argument) if argument.is_Symbol else sp.S.Reals
     ends = (values.start, values.end) if isinstance(values, sp.Interval) else ()
     return [*(end for end in ends if end.is_finite), *_PLACES]
@@ -224,7 +224,7 @@ def _find_values(monomial: sp.Expr, domain: Domain) -> sp.Set:
 
 
 def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
-    """Return a middle of the base angle, and where it runs about it: within a turn, or the turn."""
+    """Return a centre of the base angle and its interval about it, a whole turn at most."""
     if isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite:
         ends = [end / denominator for end in values.args[:2]]
         # By quarter turns, after which sines and cosines are such again, but for order and sign.
@@ -242,7 +242,7 @@ def _expand(node: sp.Expr, monomial: sp.Expr, base: sp.Expr) -> sp.Expr:
 
 
 def _list_tangents(run: sp.Interval) -> sp.Interval:
-    """Return where the tangent of half an angle runs; that of a half turn is beyond all numbers."""
+    """Return where the tangent of half an angle runs; at a half turn it is infinite."""
     low = -sp.oo if run.start == -sp.pi else sp.tan(run.start / 2)
     high = sp.oo if run.end == sp.pi else sp.tan(run.end / 2)
     return sp.Interval(low, high, run.left_open, run.right_open)
@@ -251,7 +251,7 @@ def _list_tangents(run: sp.Interval) -> sp.Interval:
 def _extend(
     sign: StrictSign, there: sp.Expr, others: list[tuple[sp.Expr, int]], domain: Domain
 ) -> StrictSign:
-    """Return the sign that is kept at the half turn, where the expression may be zero."""
+    """Return the sign with the half turn included, where the expression may be zero."""
     if not sign.strict or there.has(sp.nan, sp.zoo):
         return sign
     at_half_turn = _find_sign(there, others, domain)

@@ -203,7 +203,7 @@ def _find_floor(integrand: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
 
 
 def _cut_at_steps(written: sp.Expr, floor: sp.Expr, limits: sp.Tuple) -> list[sp.Integral]:
-    """Cut at the steps of a floor of what is linear, between numbers."""
+    """Cut an integral between numbers at the steps of a floor of a linear expression."""
     variable, lower, upper = limits
     inner, slope = floor.args[0], sp.diff(floor.args[0], variable)
     ends = sorted((inner.subs(variable, end) for end in (lower, upper)), key=sp.default_sort_key)

@@ -73,7 +73,7 @@ def decide_by_antiderivative(
 
 
 def _turn(integral: sp.Integral) -> sp.Integral:
-    """Return an integral, or the same from the other end, as the integrand comes first in order."""
+    """Return an integral or its mirror image, whichever SymPy sorts first."""
     variable, *ends = integral.limits[0]
     if len(integral.limits) > 1 or len(ends) != 2 or any(end.is_infinite for end in ends):
         return integral
@@ -177,7 +177,7 @@ def _add_up(parts: Sequence[sp.Expr | None]) -> sp.Expr | None:
 
 
 def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    """Return the value by the mean of the integrand and the same from the other end."""
+    """Return the value of an integral of the mean of the integrand and its mirror image."""
     variable, lower, upper = integral.limits[0]
     if lower.is_infinite or upper.is_infinite:
         return None
@@ -232,7 +232,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
 
 
 def _jumps(integral: sp.Integral, domain: Domain) -> bool:
-    """Tell whether what is integrated is not shown to be continuous in the outermost variable."""
+    """Tell whether the integrand is not shown to be continuous in the outermost variable."""
     if any(len(limit) != 3 for limit in integral.limits):
         return True
     running, inside = integral.function, domain
@@ -296,7 +296,7 @@ def list_antiderivatives(
 
 
 def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
-    """Tell whether it divides by a number of steps that may be zero: sin(n*x)/n.
+    """Tell whether a candidate divides by a number of steps that may be zero: sin(n*x)/n.
 
     What is divided by a number that runs has the same value beside its zero, and there.
     """

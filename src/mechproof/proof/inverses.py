@@ -246,7 +246,7 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
 
 
 def _is_nothing(parted: list[tuple[sp.Rational, sp.Expr]], domain: Domain) -> bool:
-    """Tell whether angles add up to nothing: whole multiples of them point along the first axis.
+    """Tell whether angles add up to zero: whole multiples of them point along the first axis.
 
     That leaves whole turns, which balls exclude (as in Machin's formula for pi).
     """

@@ -78,7 +78,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
 
 
 def _explain(error: Exception) -> str:
-    """Say what was too much: our own refusals are sentences, other errors have words of ours."""
+    """Say why a row was refused: our own errors are sentences, others are put in words here."""
     told = str(error)
     if isinstance(error, NotImplementedError) and told and "\n" not in told:
         return told
@@ -126,7 +126,7 @@ def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:
 
 
 def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Answer:
-    """Decide what we say in place of the print."""
+    """Decide the statement that we make in place of the print."""
     check_statement(says, dimensions_of(paper), domain, printed=False)
     return decide(says, domain)
 
@@ -166,7 +166,7 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
 
 
 def _leave_open(meant: str, answer: Answer, refuted: Answer) -> Answer:
-    """Say of what is not true as it stands that it is not decided as it is said to be meant."""
+    """Say that a row, false as it stands, is not decided in the sense that is said to be meant."""
     literal = tuple(replace(item, what=f"as it stands: {item.what}") for item in refuted.evidence)
     reason = f"not true as it stands; {meant}, not proved: {answer.reason}"
     return replace(answer, reason=reason, evidence=(*answer.evidence, *literal))

@@ -132,7 +132,7 @@ def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None
 
 
 def _turn_whole(body: sp.Expr) -> sp.Expr:
-    """Leave even terms out of the exponents of -1."""
+    """Return a body without the even terms in exponents of -1."""
 
     def is_odd(term: sp.Expr) -> bool:
         return not (term / 2).is_integer

@@ -149,7 +149,7 @@ def _cover(task: _Task, whole: Box) -> str:
 
 
 def _find_height(task: _Task, box: Box) -> float:
-    """Return the error after the last step by the bound, and more than 1 where it is not enclosed.
+    """Return the error after the last step divided by the bound; more than 1 if not enclosed.
 
     There it is the larger, the less is known at the start: which side to cut is seen from that.
     """

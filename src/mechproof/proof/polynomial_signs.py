@@ -83,7 +83,7 @@ def _sign_of_product(expression: sp.Expr, coordinates: Coordinates) -> StrictSig
 
 
 def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Let each power with an exponent that is no fraction, of a positive base, be positive."""
+    """Replace powers of positive bases, their exponents no fractions, by positive variables."""
     powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_Rational]
     named = {
         power: sp.Dummy("power", positive=True)

@@ -65,7 +65,7 @@ def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
 
 
 def _list_moving(total: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
-    """List what the terms of a sum are without their constant factors."""
+    """List the terms of a sum without their constant factors."""
     return [term.as_independent(variable)[1] for term in sp.Add.make_args(total)]
 
 

@@ -109,7 +109,7 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 
 def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Find the sign of what is linear in its one sine or cosine, at the ends of that."""
+    """Return the sign of what is linear in its one sine or cosine, from the ends of its range."""
     wave, *others = expression.atoms(sp.sin, sp.cos)
     named = expression.xreplace({wave: (size := sp.Dummy("c", real=True))})
     others += [s for s in wave.free_symbols if s in named.free_symbols]
@@ -120,7 +120,7 @@ def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None
 
 
 def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Find the sign of a product with factors whose signs relations say, as xy < 1 does."""
+    """Return the sign of a product with factors whose signs follow from relations, as xy < 1."""
     said = [slack for slack in map(find_slack, domain.where) if slack]
     said = [Slack(domain.resolve(value), strict) for value, strict in said]
     # Without the relations, which would ask for these signs again.

@@ -203,7 +203,7 @@ def check_restatements(row: Row, domain: Domain) -> None:
 def _compare(
     what: str, says: Statement, row: Row, domain: Domain, shown: Iterable[sp.Basic]
 ) -> None:
-    """Require a part that says something, with a side of those that are `shown`."""
+    """Require that a part is not void, and has a side among those that are `shown`."""
     ours, own = (_resolve(sides, domain) for sides in (_quantities(row.statement), shown))
     telling = [part for part in _list_parts(says) if not _is_void(part, ours, domain)]
     if not telling:

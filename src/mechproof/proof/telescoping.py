@@ -77,7 +77,7 @@ def _read(difference: sp.Expr) -> _Claim | None:
 
 
 def _has_factorials(claim: _Claim) -> bool:
-    """Tell whether no factorial above is one of a negative number."""
+    """Tell whether no factorial in a numerator is that of a negative number."""
     counts = _count_on(claim)
     above, _ = sp.fraction(claim.term)
     numbers = [factorial.args[0] for factorial in above.atoms(sp.factorial)]
