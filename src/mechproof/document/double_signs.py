@@ -70,7 +70,7 @@ def find_double_signs(
 
 
 def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs) -> list[Sign]:
-    """Return the signs of what has a double sign on one side, read as a letter; or none."""
+    """Return the signs of a print with a double sign on one side, read as a letter; else none."""
     read = read_signs(reader).parse(printed.latex.string)
     own = known.copy()
     sign, *steps = find_roles(printed.name, read, own)
@@ -99,7 +99,7 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
 
 
 def _find_halves(left: sp.Expr, value: sp.Expr, known: Known, pairs: Pairs) -> tuple[sp.Basic, ...]:
-    """Return x_1 and x_2 of what is printed of both, unless the index is one of any other."""
+    """Return x_1 and x_2 for a printed x_{1,2}, unless the value has such letters as well."""
     letter = name_symbol(str(left.as_base_exp()[0]))
     is_any = any(name_symbol(str(s)) in pairs for s in value.free_symbols)
     names = known.symbols.names

@@ -186,7 +186,7 @@ def _find_mixture(task: Task) -> Judgement | None:
 
 
 def _say_compared(task: Task, found: Judgement) -> Judgement:
-    """Say of what introduces a letter no more than what was compared."""
+    """Return a judgement whose reason claims no more than what was compared."""
     said = f"{BOUND_AGREE}; dimensions are not compared: {task.lacking}"
     reason = found.reason.replace(AGREE, said)
     return replace(found, reason=reason) if task.lacking else found

@@ -97,7 +97,7 @@ def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
 
 
 def _list_varied(nodes: Any) -> Iterator[Varied]:
-    """Yield letters over which parts go, with the letters of what is taken there."""
+    """Yield letters by which parts are integrated, differentiated and so on, with their letters."""
     for part in walk(nodes):
         if isinstance(part, At | Approach | Extremum):
             yield part.by.symbol, _list_letters(part.term)

@@ -118,7 +118,7 @@ def _is_at_a_place(one: sp.Basic, other: sp.Basic) -> bool:
 
 
 def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> Iterator[sp.Expr]:
-    """Yield what may have been meant in place of a part that is printed."""
+    """Yield what a printed part may have been meant to be."""
     yield -part
     yield 2 * part
     yield part / 2
@@ -196,7 +196,7 @@ def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
 
 
 def _change_digits(digits: Sequence[str], count: int) -> Iterator[list[str]]:
-    """Yield digits of which some, at most so many, are others."""
+    """Yield digits with at most `count` of them changed."""
     for places in combinations(range(len(digits)), count):
         for new in product("0123456789", repeat=count):
             changed = [*digits]

@@ -278,7 +278,7 @@ class Document:
                 yield letter
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
-        """Do something with an equation; what it cannot be done with is left."""
+        """Act on an equation; one with which that fails is left, with the reason."""
         try:
             with limit_time(self.limit):
                 return act()

@@ -68,7 +68,7 @@ def _are_apart(one: sp.Expr, other: sp.Expr, domain: Domain) -> bool:
 
 
 def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
-    """Yield what entries of matrices say that is never true.
+    """Yield what entries of matrices say if it is never true.
 
     A zero that a column of unknown letters is not equal to tells that a system has no solution.
     """
@@ -127,7 +127,7 @@ def find_relations(task: Task) -> str:
 
 
 def _ask_sign(task: Task) -> str:
-    """Return that what is printed to be a root is not negative, if it is that or the opposite."""
+    """Return the condition that the other side of a root is not negative, if a row needs it."""
     says, domain = task.row.says, Domain.of(task.paper, task.row.on)
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     for root, other in permutations(sides, 2):

@@ -144,7 +144,7 @@ def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Doma
 def _combine(
     target: sp.Expr, parts: Sequence[sp.Expr], circles: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
-    """Return polynomials of which the sum of the products with parts is the target, by circles.
+    """Return polynomials whose products with the parts add up to the target, up to the circles.
 
     Coefficients are fractions: None where others are met. What holds for any letter holds for pi.
     """
@@ -163,7 +163,7 @@ def _combine(
     sums = [_read_polynomial(one, ring) for one in parts]
     known = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
     factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in known}
-    # Squares of constraints may cancel by sin^2 + cos^2 = 1 only, which doubles the degree.
+    # Squares of constraints may cancel only by the relations of sines, cosines and roots.
     most = max([_degree(goal), *(2 * _degree(one) for one in sums if zeros)])
     products = [
         (n, factor)
@@ -195,7 +195,7 @@ def _combine(
 def _list_near(
     goal: PolyElement, sums: Sequence[PolyElement]
 ) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Yield constraints with monomials by which they have terms of the goal, or of these."""
+    """Yield constraints with monomials whose products have terms in common with the goal."""
     found: dict[tuple[int, tuple[int, ...]], None] = {}
     terms = {*goal}
     for _ in range(2):
@@ -212,7 +212,7 @@ def _list_near(
 
 
 def _read_polynomial(expression: sp.Expr, ring: PolyRing) -> PolyElement:
-    """Return a constraint as a polynomial; nothing is a multiple of one that is none."""
+    """Return a constraint as a polynomial, zero (of no use) if it is none over the ring."""
     try:
         return ring.from_expr(expression)
     except (ValueError, sp.CoercionFailed):
@@ -312,7 +312,7 @@ def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
 
 
 def _circles(names: Mapping[sp.Expr, sp.Expr]) -> Iterator[sp.Expr]:
-    """Yield what is zero of the symbols of sines and cosines, and of square roots."""
+    """Yield relations, as zeros, of the symbols of sines and cosines, and of square roots."""
     for function, name in names.items():
         if isinstance(function, sp.cos):
             yield name**2 + names[sp.sin(function.args[0])] ** 2 - 1

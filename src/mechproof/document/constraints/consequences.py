@@ -71,7 +71,7 @@ def list_letters(task: Task) -> set[sp.Basic]:
 
 
 def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    """Return that a row follows from several constraints, or from the derivative of some."""
+    """Judge whether a row follows from several constraints, or from derivatives of some."""
     given = {other.row.number: other.residual for other in others}
     for known in (given, *_list_rates(task, others)):
         multipliers = find_combination(task.residual, list(known.values()), domain)
@@ -85,7 +85,7 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
 
 
 def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    r"""Return that a row with a root follows by its square, where the root has the right sign.
+    r"""Judge whether a row with a root follows by its square, the root having the right sign.
 
     Where a + b\sqrt{c} is printed to be zero, a^2 = b^2 c, and a and b are not of one sign.
     """
@@ -111,7 +111,7 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
 
 
 def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    """Return that a row is the derivative of one printed before, what others print put in.
+    """Judge whether a row is the derivative of one printed before, with what others print put in.
 
     These hold only where they have values, so that no divisor of theirs is a matter.
     """
@@ -201,7 +201,7 @@ def _list_conditions(task: Task) -> set[object]:
 
 
 def is_turned(one: Task, other: Task) -> bool:
-    """Return whether words between two rows turn the sense in which something is counted."""
+    """Return whether words between two rows reverse the sense in which something is counted."""
     return one.said.turns != other.said.turns
 
 

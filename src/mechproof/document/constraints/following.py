@@ -53,7 +53,7 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
 
 
 def _weigh(answer: Judgement | str) -> int:
-    """Return which answer of several entries is that of all: a misprint first, a proof last."""
+    """Return the rank of an entry's answer; the lowest is that of the row, a misprint first."""
     if isinstance(answer, str):
         return 1
     return {Verdict.REFUTED: 0, Verdict.PROVED: 3}.get(answer.verdict, 2)

@@ -66,7 +66,7 @@ def tie_pair(row: Row, sign: Sign, dimensions: Dimensions) -> Iterator[tuple[Row
 
 
 def join_values(sign: Sign, sides: Sides) -> Sides:
-    """Return sides of a row; of what ties two letters what is printed of both, joined so."""
+    """Return the sides of a row; for a tie of two letters, those of their print, joined."""
     if not sign.is_tied:
         return sides
     return sign.sides[0], sp.expand(sign.sides[0].func(*_choose(sides[1])))
@@ -180,7 +180,7 @@ class Solutions:
         return None
 
     def _has_each(self, unknown: sp.Basic, residual: sp.Expr) -> bool:
-        """Return whether a residual tells no root of what a power of a letter is from the other."""
+        """Return whether a residual cannot tell the two roots of a letter's printed power apart."""
         is_power = self.left.is_Pow and self.left.base == unknown
         return not is_power or sp.expand(residual - residual.xreplace({unknown: -unknown})) == 0
 
@@ -210,7 +210,7 @@ class Solutions:
 
 
 def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:
-    """Return the letter of whose part a tangent is printed, or its square, and its value then."""
+    """Return the letter whose fraction has a printed tangent, or its square, and its value."""
     known = domain.given.get(left, left)
     if isinstance(known, sp.Pow) and known.base.is_Symbol and known.exp == 2:
         return known.base, sp.sqrt(value)
@@ -227,7 +227,7 @@ def _choose(value: sp.Expr) -> list[sp.Expr]:
 
 
 def _list_conditions(value: sp.Expr) -> Iterator[sp.Basic]:
-    """Yield what values have that have roots, and nothing below that is zero."""
+    """Yield the conditions under which roots are real and divisors not zero."""
     for power in value.atoms(sp.Pow):
         if power.exp.is_number and not power.exp.is_integer:
             yield sp.Ge(power.base, 0)

@@ -142,7 +142,7 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
 
 
 def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
-    """Return constraints without which a row does not follow that is shown to follow."""
+    """Return constraints that are needed for a row which is shown to follow."""
     given = [n for n, task in enumerate(at.tasks) if is_constraint(task, at.rows[n])]
     judged = ((n, row.judgement) for n, row in at.rows.items())
     following = [n for n, found in judged if found and found.rung in FOLLOWING]
@@ -155,7 +155,7 @@ def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
 
 
 def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
-    """Return that a definition is wrong, as an equation shows from which further rows follow."""
+    """Judge a definition to be wrong, as an equation shows from which further rows follow."""
     reason = f"it contradicts {name}, from which further rows follow: {found.reason}"
     if row.judgement is None:
         return reason

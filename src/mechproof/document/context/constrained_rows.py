@@ -172,7 +172,7 @@ def _judge_halves(at: Judging) -> Changes:
 
 
 def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
-    """Return whether a constraint may be one of which a print with a double sign has the roots."""
+    """Return whether the roots in a print with a double sign may be those of a constraint."""
     one, task = tasks[given], tasks[number]
     is_known = given < number or not (one.said.is_new or one.sign.role is Role.SOLUTIONS)
     is_known &= given != number and one.sign.first != task.row.number
@@ -216,7 +216,7 @@ def doubt_by_premises(at: Judging) -> Changes:
 def _list_denied(
     number: int, given: int, defining: Sequence[Task], at: Judging
 ) -> frozenset[sp.Basic]:
-    """List letters of a row and of a premise of it by definitions that the premise contradicts."""
+    """List letters of a row and its premise with definitions that the premise contradicts."""
     used = set[sp.Basic]().union(*(list_used(at.tasks[n], at.tasks) for n in (number, given)))
     names = at.rows[given].reason.partition(CONTRADICTING)[0]
     denied = (one for one in defining if one.row.number in names and defines(one, used))

@@ -67,7 +67,7 @@ def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Change
 
 
 def _list_doubted(at: Judging, contested: Mapping[int, CheckedRow]) -> Iterator[Task]:
-    """Yield definitions that are refuted, or of which it is open whether they are wrong."""
+    """Yield definitions that are refuted, or that may be wrong."""
     unfit = {n: row for n, row in at.rows.items() if row.outcome == Verdict.ILL_FORMED.value}
     for n, row in sorted({**contested, **unfit}.items()):
         is_wrong = row.outcome in (Verdict.REFUTED.value, Verdict.ILL_FORMED.value)
@@ -77,7 +77,7 @@ def _list_doubted(at: Judging, contested: Mapping[int, CheckedRow]) -> Iterator[
 
 
 def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tuple[list[Task], str]]:
-    """Return groups of definitions on which a row rests and that are doubted, each with why."""
+    """Return groups of doubted definitions on which a row rests, each with the reason."""
     tasks, task, outcome = at.tasks, at.tasks[number], at.rows[number].outcome
     is_condition = task.sign.role is Role.RELATION and outcome == Verdict.PROVED.value
     is_compared = task.sign.role in COMPARED and not task.is_solution
@@ -184,7 +184,7 @@ def doubt_by_rounded(at: Judging) -> Changes:
 
 
 def _differ_little(task: Task) -> bool:
-    """Return whether the factors in what differs are small beside those of what is compared."""
+    """Return whether the factors in a difference are small beside those of the sides."""
     says = task.row.says
     if not isinstance(says, Equality):
         return False

@@ -78,7 +78,7 @@ def find_other_solutions(at: Judging) -> Changes:
 
 
 def _solve(rest: sp.Expr, letter: sp.Basic, at: Judging) -> dict[sp.Basic, sp.Expr | None]:
-    """Return what a linear equation makes of a letter; of its derivatives nothing is known then."""
+    """Return the value that a linear equation gives a letter; its derivatives are unknown then."""
     above = sp.Poly(sp.fraction(sp.together(rest))[0], letter)
     _, steps = at.symbols.find_steps(letter)
     value = -above.coeff_monomial(1) / above.coeff_monomial(letter)
@@ -219,7 +219,7 @@ def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
 
 
 def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
-    """List equations that are not read: how many rows stand before, and what is on the left."""
+    """List unread equations: how many rows stand before each, and its left side."""
     unread, place = [], 0
     for one in found:
         if isinstance(one, Task):

@@ -185,7 +185,7 @@ def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
 
 
 def _list_accelerations(task: Task) -> set[sp.Basic]:
-    """Return the second derivatives that those of a row have and nothing before them."""
+    """Return the second derivatives that occur in the second derivative of a row only."""
     first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
     return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
 

@@ -120,7 +120,7 @@ def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
 
 
 def _list_parts(newer: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield some of several newer prints: the first prints of the other letters may be meant."""
+    """Yield choices of several newer prints: for the other letters the first may be meant."""
     if len(newer) <= _MANY:
         for count in range(1, len(newer)):
             yield from combinations(newer, count)

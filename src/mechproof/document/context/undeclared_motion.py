@@ -117,7 +117,7 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
 
 
 def _is_given(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is a constraint, and not one of a case."""
+    """Return whether a row is a constraint, and not of one case only."""
     is_given = row.judgement is not None and row.judgement.rung == GIVEN
     is_given &= task.sign.role is not Role.VALUE and task.residual is not None
     return is_given and not task.said.is_equating
@@ -138,7 +138,7 @@ def _has_rates(task: Task, row: CheckedRow, rates: Collection[sp.Basic]) -> bool
 
 
 def _join(at: Judging) -> list[tuple[int, ...]]:
-    """Return the constraints that have letters that move, those together that share one."""
+    """Return groups of constraints with moving letters; those that share a letter are together."""
     groups: list[tuple[set[int], set[sp.Basic]]] = []
     for n, task in enumerate(at.tasks):
         letters = _list_moving(task, at.rows[n], at.symbols)

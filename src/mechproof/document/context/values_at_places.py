@@ -105,7 +105,7 @@ def _is_apart(task: Task, tied: frozenset[sp.Basic], symbols: Symbols) -> bool:
 
 
 def _find_places(task: Task) -> Mapping[sp.Basic, sp.Expr]:
-    """Return the numbers that letters are in a value, or in all that a letter is said to be."""
+    """Return the numeric values of letters at the place of a row, or under its condition."""
     if task.sign.places or task.sign.role not in _CONDITIONED or task.is_solution:
         return task.sign.places
     return {s: value for s, value in task.at.items() if value.is_number}

@@ -136,7 +136,7 @@ def _take_units(
 def _find_inline(
     source: Source, entries: Mapping[str, drafted_lines.DraftedLetter]
 ) -> list[tuple[str, Inline]]:
-    """Return what sentences say of letters: of each one size only, and one formula."""
+    """Return the sizes and formulas that sentences give letters, where these are the only ones."""
     found: dict[tuple[str, bool], dict[str, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
         kind = name_symbol(one.letter), one.number is None
@@ -150,7 +150,7 @@ def _find_inline(
 
 
 def _is_euler(prints: Sequence[str]) -> bool:
-    """Return whether a letter e is met, and only where it is raised to what is no number."""
+    """Return whether there is a letter e, and it is only raised to powers that are no numbers."""
     met = [match for latex in prints for match in _E.finditer(latex)]
     raised = [match for latex in prints for match in _RAISED_E.finditer(latex)]
     return bool(met) and len(met) == len(raised)

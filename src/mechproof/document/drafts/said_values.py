@@ -148,7 +148,7 @@ def _ask(number: int, line: str) -> Iterator[str]:
 
 
 def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
-    """Return whether a value is one of other letters."""
+    """Return whether a value contains one of the letters other than its own."""
     met = {*_SIGN.findall(value)}
     return any({*_SIGN.findall(x)} <= met for x in letters if name_symbol(x) != own)
 

@@ -100,7 +100,7 @@ def find_span(read: Print, member: Node, exact: Collection[sp.Expr]) -> tuple[fl
 
 
 def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, RoundedSize], str]:
-    """Return what a member calculates of names for its sizes and decimals, these, and its unit."""
+    """Return a member as an expression in names of its sizes and decimals, these, and its unit."""
     found = [node for node in walk(member) if isinstance(node, Measure | Number)]
     inside = {node.number for node in found if isinstance(node, Measure)}
     names = {
@@ -130,7 +130,7 @@ def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, Rounde
 def _find_scales(
     value: sp.Expr, units: Mapping[sp.Basic, Unit]
 ) -> tuple[dict[sp.Basic, sp.Expr], str]:
-    """Return how large the units of a calculation are in that of its result, and this.
+    """Return the scales of a calculation's units in the unit of its result, and that unit.
 
     Revolutions by the minute are turns; alone they are what they are in the result.
     """

@@ -247,7 +247,7 @@ def show(value: sp.Expr) -> str:
 
 
 def _show_exactly(value: sp.Expr) -> str:
-    """Return a number as a decimal if that is all of it."""
+    """Return a number as a decimal if that is exact."""
     return short if sp.Rational(short := show(value)) == value else str(value)
 
 
@@ -265,7 +265,7 @@ class RestatedSizes:
     """What sentences say of the sizes of letters, in the order of the text."""
 
     def __init__(self, source: Source, symbols: Symbols) -> None:
-        """Find the sentences; of a sum or a formula nothing is taken."""
+        """Find the sentences that say sizes; sums and formulas are skipped."""
         self.usual = symbols.usual
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
         letters = {name: v.symbol for v in symbols.variables for name in v.latex}

@@ -76,7 +76,7 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
 
 @dataclass(frozen=True)
 class _Numbers:
-    """What sides are as numbers in the units of their letters, where all of these are known."""
+    """The sides as numbers in the units of their letters, where all of these are known."""
 
     known: Known
     scales: Scales
