@@ -320,7 +320,7 @@ def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
 
 
 def _list_behind(parser: Parser) -> set[sp.Basic]:
-    """Return the letter that stands here, or those in the bracket, of a quotient none."""
+    """Return the letter that stands here, or those in a bracket; none for a quotient."""
     end = parser.place + 1
     if parser.text in _BRACKETS:
         end = parser.place + find_close([token.text for token in parser.rest])

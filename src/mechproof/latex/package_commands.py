@@ -97,7 +97,8 @@ _COMMANDS: Mapping[str, _Forms] = {
     r"\substack": ((_ANY, f"{_IN_LINE}1"),),
     **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},
 }
-# Commands of the packages derivative, diffcoeff, esdiff and commath, with the sign they print.
+# Commands of the packages derivative, diffcoeff, esdiff and commath, with the sign they print: what
+# is differentiated is their first argument, the variables are the second.
 _DERIVATIVES = {
     **dict.fromkeys(_name("odv", "od", "dod", "tod", "diff"), "d"),
     **dict.fromkeys(_name("pdv", "pd", "dpd", "tpd", "diffp"), r"\partial"),

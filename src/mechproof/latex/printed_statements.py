@@ -187,7 +187,7 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
 
 
 def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber | None:
-    """Return that a constant rounds to the decimal at the other side of an equals sign.
+    """State that a constant rounds to the decimal on the other side of an equals sign.
 
     A decimal that is the constant itself is stated as equal to it, as a whole number is.
     """

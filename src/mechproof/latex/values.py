@@ -122,7 +122,7 @@ def is_root(part: sp.Expr) -> bool:
 
 
 def name_turns(expression: sp.Expr) -> sp.Expr:
-    """Let powers of negative numbers be real: SymPy takes (-1)^(n(n+1)/2) for imaginary."""
+    """Replace powers of negative numbers by real symbols: SymPy takes some for imaginary."""
     powers = (p for p in expression.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols)
     return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
 
