@@ -265,7 +265,7 @@ NOTHING = Announced()
 
 
 def _find_sides(words: str) -> Mapping[int, int]:
-    """Return of which pairs of opposites one is said and the other is not, and which."""
+    """Return the pairs of opposites of which words name just one, and which one."""
     found = {}
     for pair, (one, other) in enumerate(_SIDES):
         said = bool(one.search(words)), bool(other.search(words))
@@ -275,7 +275,7 @@ def _find_sides(words: str) -> Mapping[int, int]:
 
 
 def _are_opposed(one: Mapping[int, int], other: Mapping[int, int]) -> bool:
-    """Return whether of a pair one is said here and the other there."""
+    """Return whether two passages name the opposite sides of a pair."""
     return any(other.get(pair, side) != side for pair, side in one.items())
 
 

@@ -46,7 +46,7 @@ class Counter:
         return f"{prefix}{self.count}"
 
     def _show(self, match: re.Match[str]) -> str:
-        r"""Return what stands for a counter in what \theequation was defined to be."""
+        r"""Return the text of a counter in the definition of \theequation."""
         name = match["the"] or match["counter"]
         if match["the"] and name in _LEVELS:
             return self._show_section(name)
@@ -54,7 +54,7 @@ class Counter:
         return _print_count(number, match["kind"] or "arabic")
 
     def _show_section(self, level: str) -> str:
-        """Return the number of a section, that of what it lies in before it."""
+        """Return the number of a section, preceded by that of the section around it."""
         levels = _LEVELS[: _LEVELS.index(level) + 1]
         first = next((n for n, one in enumerate(levels) if self.sections[one]), len(levels) - 1)
         numbers = [str(self.sections[one]) for one in levels[first:]]

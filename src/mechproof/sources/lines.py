@@ -249,7 +249,7 @@ def _clean(latex: LocatedText) -> LocatedText:
 
 
 def _find_list(string: str) -> re.Match[str] | None:
-    """Return the numbers behind an equation through which an index of it runs."""
+    """Return the values behind an equation that an index of it takes."""
     found = _LIST.search(string)
     is_index = found and re.search(_INDEX.format(found[1]), string[: found.start()])
     return found if is_index else None

@@ -138,7 +138,7 @@ def _cut_pipes(line: LocatedText) -> Iterator[TableCell]:
 
 
 def _fill(rows: Sequence[Sequence[TableCell]]) -> list[list[TableCell]]:
-    """Return rows of one width, what a cell holds in rows below it put into them."""
+    """Return rows of equal width, with cells that span several rows repeated in each."""
     width = max(map(len, rows), default=0)
     held: dict[int, tuple[int, TableCell]] = {}
     filled = []
