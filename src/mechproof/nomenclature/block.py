@@ -225,7 +225,7 @@ def _read_letter(
 
 
 def _split(text: str, at: str = ",;") -> list[str]:
-    """Return the parts of a line between such signs, but for those in brackets and braces."""
+    """Return the parts of a line between such separators, but for those in brackets and braces."""
     parts, depth = [""], 0
     for before, sign in pairwise(f" {text}"):
         depth += (sign in "([{") - (sign in ")]}")

@@ -248,7 +248,7 @@ def _has_signs(text: str) -> bool:
 
 
 def _say(symbols: Symbols, block: Block) -> Symbols:
-    """Put in what is said of the letters: relations, sizes, where integrals start."""
+    """Add what is said of the letters: relations, sizes, where integrals start."""
     reader = symbols.reader()
     said = [condition for letter in block.letters for condition in letter.conditions]
     variables, where = symbols.variables, list[sp.Basic]()

@@ -186,7 +186,7 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
 
 
 def _list_names(equations: Sequence[str], printed: Sequence[Printed]) -> Iterator[str]:
-    """Yield the names of equations that are named, and of those between two of them."""
+    """Yield the names of the equations listed, and of those in ranges between two."""
     first = 0
     for place, equation in enumerate(equations):
         if equation == _TO:
