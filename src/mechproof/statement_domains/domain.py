@@ -71,7 +71,7 @@ class Domain:
 
     @cached_property
     def _hash(self) -> int:
-        """Of names and relations alone, once: SymPy takes long over the hash of a set."""
+        """Return a hash of names and relations alone, once: SymPy takes long to hash a set."""
         return hash((frozenset(self.within), self.where, frozenset(self.given)))
 
     @classmethod
@@ -195,7 +195,7 @@ class Domain:
                     yield from self.points(symbols, _EACH, {**fixed, **known, **angles})[:_EACH]
 
     def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
-        """Yield unlike round angles for the angles among the symbols; nothing for none of them."""
+        """Yield different round angles for the angles among the symbols; nothing if none is one."""
         free = sorted((s for s in symbols if self.dimension_of(s).is_angle), key=str)
         inside = {s: [a for a in _ROUND_ANGLES if contains(self.set_of(s), a)] for s in free}
         allowed = [(s, values) for s, values in inside.items() if values]
