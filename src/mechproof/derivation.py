@@ -108,7 +108,7 @@ class DerivationError(RuntimeError):
 
 
 class _SourceLoader(SourceFileLoader):
-    """Reads the source each time: bytecode is out of date for an edit within one second."""
+    """Reads the source each time: bytecode would miss an edit within the same second."""
 
     def get_code(self, fullname: str) -> CodeType:
         path = self.get_filename(fullname)
@@ -288,7 +288,7 @@ def stop_after(seconds: float, location: Path) -> Iterator[None]:
 
 @contextmanager
 def _refuse_exit() -> Iterator[None]:
-    """Make an error of what would end the process at once, with a status that looks right."""
+    """Turn an exit, which would end the process with a status that looks right, into an error."""
     end = os._exit
 
     def refuse(status: int) -> NoReturn:
