@@ -145,8 +145,8 @@ def decide_from_zero_end(sides: Sides, domain: Domain, prove: Prove) -> str | No
 def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Expr:
     """Write moduli, signs, largest and smallest of few numbers by pieces; nothing of many.
 
-    Nor where a symbol is bound, on which a condition might hang. Where a number among the poles is
-    zero its sign does not count.
+    Nothing is written where a symbol is bound, either, as a condition might depend on it. Where a
+    number among the poles is zero its sign does not count.
     """
     nodes = expression.atoms(*IN_PIECES)
     if len(nodes) > _MOST_WRITTEN or any(len(node.args) > _MOST_WRITTEN for node in nodes):
@@ -208,8 +208,8 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 def narrow(domain: Domain, relation: Relational) -> Domain | None:
     """Return the part of a domain on which a relation holds, None for nothing.
 
-    What is not solved is a relation of the part; an equation then narrows nothing. Of a part that
-    is left it is not said that it has a point.
+    An unsolved relation becomes a relation of the part; an unsolved equation narrows nothing. A
+    part that is returned may still have no point.
     """
     relation = domain.resolve(relation)
     if relation == sp.false:

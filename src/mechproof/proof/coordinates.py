@@ -254,8 +254,8 @@ _RANGES: Mapping[type[sp.Basic], tuple[type[sp.Expr], sp.Expr, sp.Expr, int]] = 
 def list_by_values(slack: Slack) -> Iterator[tuple[Slack, Slack, Slack]]:
     """Yield what says the same of the value of an inverse function: cos E > e for E < arccos e.
 
-    That follows where what it is compared with is not beyond the other end of its range, which
-    comes second, and says it where that is not beyond the near one, which comes third.
+    It follows where the number compared with is not beyond the far end of the range, which comes
+    second, and implies the slack where it is not beyond the near end, which comes third.
     """
     for term in sp.Add.make_args(slack.value):
         way, inverse = term.as_coeff_Mul()

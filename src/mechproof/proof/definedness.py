@@ -156,7 +156,7 @@ def tell(need: Slack) -> str:
 def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domain: Domain) -> bool:
     """Say whether all sides have values at the same points: what they need is proved equal.
 
-    Of sums, integrals and cases, whose parts are not looked into, that is not known.
+    This is not known of sums, integrals and cases, whose parts are not looked into.
     """
     parts = (node for side in sides for node in list_partial(domain.resolve(side)))
     if not all(map(list_needs, parts)):

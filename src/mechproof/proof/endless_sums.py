@@ -142,7 +142,7 @@ _ODD = 2 * _J + 1
 class _Series:
     """The quotient of two terms, and the value for a first term `first`.
 
-    What is `positive` and `nonnegative` where the series converges.
+    `positive` and `nonnegative` list what must be so where the series converges.
     """
 
     quotient: sp.Expr

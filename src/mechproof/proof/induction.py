@@ -175,7 +175,7 @@ def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
 def follow(number: sp.Expr, count: sp.Symbol) -> tuple[sp.Expr, sp.Expr, list[sp.Symbol]]:
     """Return a number for n and for n + 1, its sums and products to n named.
 
-    Third come the names of those that are multiplied.
+    The third result lists the names of those that are multiplied.
     """
     totals = [total for total in number.atoms(*_TO_COUNTS) if total.has(count)]
     kept = {total: sp.Dummy() for total in totals}

@@ -105,7 +105,7 @@ def _holds_in_order(
 def _by_gaps(slack: Slack, domain: Domain) -> bool:
     """Write numbers by the gaps of as many linear relations, a < b + c, which are independent.
 
-    Of the sides of a triangle that is the substitution of Ravi.
+    For the sides of a triangle this is Ravi's substitution.
     """
     value = domain.resolve(slack.value)
     symbols = sorted(value.free_symbols, key=str)

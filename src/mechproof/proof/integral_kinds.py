@@ -41,7 +41,7 @@ def is_improper(integral: sp.Integral) -> bool:
 def may_reach_zero(integral: sp.Integral, domain: Domain) -> bool:
     """Tell whether a base, whose exponent is no whole number, may vanish between the limits.
 
-    What is computed of such a power has a root, or the logarithm, of what may be below zero.
+    The value computed for such a power holds a root, or a logarithm, of what may be negative.
     """
     variable, *limits = integral.limits[0]
     bases = {p.base for p in integral.function.atoms(sp.Pow) if not p.exp.is_integer}
@@ -93,7 +93,7 @@ def find_residue(
 ) -> sp.Expr | None:
     """Return c if the integrand is like c/(x - place) from a side, or like c/x far out.
 
-    It is infinite for what grows faster; None where nothing is shown, or there is no such c but 0.
+    The result is infinite for faster growth, and None where nothing is shown or c could only be 0.
     """
     distance = variable if place.is_infinite else variable - place
     limit = find_limit(write_by_sines(integrand) * distance, variable, place, side, domain)
@@ -106,7 +106,7 @@ def list_zeros_between(
 ) -> list[sp.Expr]:
     """List zeros between the limits of a polynomial, or of a*sin(u) + b*cos(u), u a multiple.
 
-    Where one is missed, no sign is shown beside it.
+    A missed zero does no harm, as no sign is then shown beside it.
     """
     if not (lower.is_number and upper.is_number):
         return []
@@ -165,8 +165,8 @@ def cut_at_seams(integral: sp.Integral, domain: Domain) -> list[sp.Integral]:
 def integrate_polynomials(integral: sp.Integral) -> sp.Expr | None:
     """Return the value by pieces that are polynomials on both sides of one place.
 
-    What is zero there on both sides and has the integrand as its derivative is continuous, so that
-    the limits may lie in any order. None for another integrand.
+    The antiderivative is zero there on both sides, and so continuous: the limits may lie in any
+    order. None for another integrand.
     """
     integrand, (variable, lower, upper) = integral.args
     written = _write(integrand, variable)
@@ -189,7 +189,7 @@ def integrate_polynomials(integral: sp.Integral) -> sp.Expr | None:
 def _write(integrand: sp.Expr, variable: sp.Symbol) -> sp.Expr:
     """Write moduli, signs, largest and smallest numbers that have the variable by pieces.
 
-    What a sign is of is zero at single places, where the integrand does not count.
+    The argument of a sign is zero at single places only, where the integrand does not count.
     """
     nodes = [node for node in integrand.atoms(*IN_PIECES) if node.has(variable)]
     numbers = {node.args[0] for node in nodes if isinstance(node, sp.sign)}

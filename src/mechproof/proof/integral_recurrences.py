@@ -130,7 +130,7 @@ def _goes_up(n: sp.Symbol, domain: Domain) -> bool:
 def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
     """Tell whether a derivative of order n + 1 is that of the one of order n.
 
-    It has to be one about each place, which nothing binds to a single one or to n.
+    It must be one near each place: nothing may bind x to a single place or to n.
     """
     (inside, by, x, order), value, n = claim.integral.args, *claim[1:]
     within = domain.set_of(x)

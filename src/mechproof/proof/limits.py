@@ -172,7 +172,7 @@ def _list_from_sides(
 def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) -> bool:
     """Tell whether a variable may have values on a side of a point.
 
-    What is said of the letter by which it is printed is said of it.
+    It is bound by what is said of the letter by which it is printed.
     """
     name = variable.name.removesuffix("_")
     letters = {*domain.within, *(s for relation in domain.where for s in relation.free_symbols)}

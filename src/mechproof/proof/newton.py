@@ -151,7 +151,8 @@ def _cover(task: _Task, whole: Box) -> str:
 def _find_height(task: _Task, box: Box) -> float:
     """Return the error after the last step divided by the bound; more than 1 if not enclosed.
 
-    There it is the larger, the less is known at the start: which side to cut is seen from that.
+    Without an enclosure it grows with the uncertainty at the start, so as to show which side to
+    cut.
     """
     values = task.enter(box)
     # A part of the box on which a relation is false is none of the domain.

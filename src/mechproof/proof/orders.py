@@ -148,7 +148,7 @@ def write_like(factor: sp.Expr, y: sp.Symbol, find: Find, domain: Domain) -> sp.
 def _write_difference(sum_: sp.Add, y: sp.Symbol, find: Find, domain: Domain) -> sp.Expr:
     """Write a sum whose terms come to numbers that cancel as what is left: e^u - 1, 1 - cos u.
 
-    So is the root of what comes to a number. Of what is left of the terms the largest counts.
+    Roots of what tends to a number are written likewise. The largest of the remainders counts.
     """
     number, rest = sum_.as_independent(y, as_Add=True)
     parts = [_part(term, y, find, domain) for term in sp.Add.make_args(rest)]

@@ -184,8 +184,8 @@ def _write_root(root: sp.Pow, letters: set[sp.Basic], domain: Domain) -> sp.Expr
 def _halve_angle(root: sp.Pow) -> sp.Expr:
     """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
 
-    That of a(1 + cos u) is written by the cosine; a sine is the cosine of what lacks to a quarter
-    turn.
+    The root of a(1 + cos u) is written by the cosine; a sine is read as the cosine of its
+    complement.
     """
     if root.exp != sp.S.Half:
         return root

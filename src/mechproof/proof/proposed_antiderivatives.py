@@ -50,8 +50,8 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
 def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
     """Tell where there is no elementary antiderivative (Liouville), and SymPy would try for long.
 
-    So it is of powers divided by a logarithm: with x = e^t these are exponentials, divided by t. So
-    it is of arctangents and the like that are divided by x.
+    This is so of powers divided by a logarithm, which x = e^t turns into exponentials divided by t,
+    and of arctangents and the like divided by x.
     """
     parts = _split_logarithm(integrand, variable)
     if parts is not None:

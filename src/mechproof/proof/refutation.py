@@ -136,7 +136,8 @@ def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINT
 def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
     """Return an interior point at which one side only has a value, empty if none is met.
 
-    Of sums, each of which is written out for every number of terms, and integrals few are tried.
+    Few points are tried for integrals, and for sums, each of which is written out for every number
+    of terms.
     """
     is_slow = any(has_parts(side, sp.Sum, sp.Product, sp.Integral) for side in sides)
     count = FEW if is_slow else POINTS
@@ -232,7 +233,7 @@ def _published_points(
 ) -> Iterator[Point]:
     """Yield points at the published sizes that the domain allows, then at round angles alone.
 
-    What is not published has its usual size first, where the domain allows both.
+    A symbol without a published size has its usual size first, where the domain allows both.
     """
     usual = {s: v for s, v in domain.usual.items() if s in {*counts, *plain}}
     published: list[Point] = [*map(sizes_of, domain.published), {}]

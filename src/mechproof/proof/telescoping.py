@@ -160,8 +160,8 @@ def _solve(
 ) -> tuple[sp.Expr, sp.Expr] | None:
     """Solve for a rate and for R = v(k - 1)*P/(f*w), P a polynomial.
 
-    Of the factor f of the term that is a polynomial, v and w are what the growth of the rest and
-    the change are divided by. That is faster than Gosper's algorithm where factors are squares.
+    With f the polynomial factor of the term, v and w are the denominators of the growth of the rest
+    and of the change. This is faster than Gosper's algorithm where factors are squares.
     """
     rest = sp.cancel(growth * factor / factor.subs(k, k + 1))
     form = sp.denom(rest).subs(k, k - 1) / (factor * sp.denom(change))
