@@ -101,7 +101,7 @@ def list_standing(
 ) -> list[list[str]]:
     """Return the members that a print is compared with, those together that do not differ.
 
-    Of groups of which one is the largest the others do not stand.
+    If one group is the largest, the members of the others do not stand.
     """
     first = task.sign.first
     groups = [[first]]

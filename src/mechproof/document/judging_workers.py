@@ -64,8 +64,8 @@ def name_equation(number: str) -> str:
 def leave_out(rows: Sequence[Task | Left], elsewhere: Elsewhere) -> Iterator[Task | Left]:
     """Yield the rows that are judged nowhere else, by themselves or with all signs of their print.
 
-    A row elsewhere judges all signs of its print if it states as many things. Of what is not read
-    the signs are not known.
+    A row elsewhere judges all signs of its print if it states as many things. The signs of a print
+    that is not read are not known.
     """
     known = {text for text, _ in elsewhere}
     equations = {*map(name_equation, known)}
@@ -111,7 +111,7 @@ def judge_without(
 ) -> Judgement | None:
     """Judge a row whatever defines some letters; None where that tells nothing.
 
-    What differs then is refuted only if both sides have the same letters, as identities have.
+    A difference is then refuted only if both sides have the same letters, as identities have.
     """
     task = tasks[number]
     free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
@@ -195,7 +195,7 @@ def _say_compared(task: Task, found: Judgement) -> Judgement:
 def _holds_transposed(task: Task) -> bool:
     """Return whether a matrix of derivatives is printed in the other layout.
 
-    Of derivatives by a vector each row is of one entry, or by one letter.
+    In derivatives by a vector, each row belongs to one entry, or to one letter.
     """
     says = task.row.says
     if r"\partial" not in task.row.printed_latex or not isinstance(says, Equality):

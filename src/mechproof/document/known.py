@@ -318,7 +318,7 @@ def read_piece(
 def _order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
     """Return pieces in the order in which each begins where another ends; none if they do not.
 
-    Of those with the same range the first is meant. All are ranges of the same letter.
+    Of pieces with the same range the first is meant. All ranges are of the same letter.
     """
     ranges: dict[Any, LawPiece] = {}
     if any(piece.by != pieces[0].by for piece in pieces):

@@ -165,9 +165,9 @@ def _is_trivial(
 ) -> bool:
     """Return whether an equation says nothing, or what stands elsewhere up to a number.
 
-    A letter that is a function of itself says nothing of others. Of a letter that stands alone
-    what defines it is put in, too, and zero for those that it defines to be zero. Angles differ by
-    whole turns.
+    A letter that is a function of itself says nothing of others. The definition of a letter that
+    stands alone is put in, too, and zero for letters that it defines to be zero. Angles may differ
+    by whole turns.
     """
     if any(one.is_Symbol and other.free_symbols == {one} for one, other in (sides, sides[::-1])):
         return True

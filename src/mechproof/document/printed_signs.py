@@ -201,7 +201,8 @@ def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> 
 def _note_arcs(read: Print, nodes: tuple[Node, ...], sides: tuple[Any, Any], known: Known) -> None:
     """Note what angles are whose sine, cosine or tangent is printed.
 
-    A number is rounded, and so is what has rounded decimals. What numbers give is of their passage.
+    Numbers are rounded, and so are values with rounded decimals. Angles given by numbers hold in
+    their passage only.
     """
     exact = known.symbols.list_exact()
     for function, arc in list_arcs(sides):
@@ -272,7 +273,7 @@ def _note_again(name: str, signs: Sequence[Sign], known: Known) -> None:
 def _work_out(read: Print, node: Node, known: Known) -> Any:
     """Return a member, with the values of letters where it cannot be said without them.
 
-    That is what is integrated by a letter on which it depends.
+    Values are needed in what is integrated by a letter on which it depends.
     """
     integrals = [part for part in walk(node) if isinstance(part, Integration)]
     running = {p.symbol for i in integrals for p in walk(i.differential) if isinstance(p, Letter)}

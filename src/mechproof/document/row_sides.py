@@ -85,7 +85,7 @@ def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
 def gives_entries(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
     r"""Return whether a matrix that is given by others has its entries printed, \mathbf J^{-1}=….
 
-    That is meant wherever its letters lie, where a vector may tie some.
+    Such a print is meant wherever its letters lie, while one of a vector may tie some.
     """
     shown = [*map(write_out, sides)]
     are_matrices = all(isinstance(side, sp.MatrixBase) and min(side.shape) > 1 for side in shown)
@@ -155,8 +155,8 @@ def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:
 def _is_idle(side: Any, letter: sp.Basic) -> bool:
     """Return whether a side has the same value at three values of a letter, others being fixed.
 
-    That is no proof: it tells what the letters of a side are, so which sides are compared. What is
-    compared is then proved or refuted.
+    This is no proof: it tells which letters a side depends on, and so which sides are compared.
+    These are then proved or refuted.
     """
     symbols = sorted(getattr(side, "free_symbols", ()), key=str)
     if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):

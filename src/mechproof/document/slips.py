@@ -67,8 +67,8 @@ def list_changes(
 ) -> Iterator[ChangedSides]:
     """Yield sides that differ in one place from those printed.
 
-    Two letters may be exchanged. What defines a letter keeps its letters, and so does what makes
-    two letters equal: with others much would be true.
+    Two letters may be exchanged. The definition of a letter keeps its letters, and so does an
+    equation of two letters: with others much would be true.
     """
     one, other = entry.sides
     if one.is_Symbol and other.is_Symbol:
@@ -172,8 +172,8 @@ def _enter_bracket(part: sp.Add) -> Iterator[sp.Expr]:
 def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
     """Return the number that rounds a value and differs from the print by a slip, or none.
 
-    That is another digit, two exchanged, or one moved; in long numbers it may be two others. Of
-    numbers with less than three digits that says nothing.
+    A slip is another digit, two exchanged, or one moved; in long numbers also two other digits. In
+    numbers of less than three digits it says nothing.
     """
     text = says.printed
     number = text.partition("e")[0]

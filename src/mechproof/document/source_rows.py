@@ -91,7 +91,7 @@ class Document:
     def _take_letters(self) -> None:
         """Take letters that no block declares as numbers, or as the matrices they are printed.
 
-        Of a vector a size will do that follows from how it is used.
+        The size of a vector may also follow from how it is used.
         """
         prints = [p.latex.string for p in self.printed]
         self.block.imaginary = find_imaginary_unit(prints)
@@ -134,7 +134,7 @@ class Document:
     def _parse_all(self) -> list[list[Sign] | Left]:
         """Read all equations once; again where letters are matrices, or laws have pieces.
 
-        Again, too, where a matrix is made of others that are printed behind it.
+        They are also read again where a matrix is made of others that are printed behind it.
         """
         laws: dict[sp.Basic, list[LawPiece]] = {}
         later: Later = {}

@@ -126,7 +126,7 @@ class TaskMaker:
     ) -> Task | Left:
         """Add to a task what it is where letters have values that are said beside it.
 
-        What holds in an example that it may not belong to is kept apart.
+        What holds in an example that the equation may not belong to is kept apart.
         """
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task

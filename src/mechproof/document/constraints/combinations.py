@@ -146,7 +146,8 @@ def _combine(
 ) -> list[sp.Expr] | None:
     """Return polynomials whose products with the parts add up to the target, up to the circles.
 
-    Coefficients are fractions: None where others are met. What holds for any letter holds for pi.
+    Coefficients are fractions: None where others are met. pi counts as a letter: what holds for any
+    letter holds for pi.
     """
     target, *others = (one.xreplace({sp.pi: _PI}) for one in (target, *parts, *circles))
     parts, circles = others[: len(parts)], others[len(parts) :]

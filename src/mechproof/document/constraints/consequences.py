@@ -185,7 +185,7 @@ def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) ->
 def state_at(given: Sequence[Task], task: Task) -> Iterator[Task]:
     """Yield constraints at the values of letters that are said of a row.
 
-    What is said under a condition that is none of the row is left out.
+    Constraints under a condition that the row does not have are left out.
     """
     for one in given:
         if one.residual is not None and _list_conditions(one) <= _list_conditions(task):

@@ -155,7 +155,7 @@ def _solve(
 ) -> tuple[dict[sp.Basic, sp.Expr], bool] | None:
     """Return values of letters at which all residuals are zero, and whether there are no others.
 
-    None if none are found. Of others it is not known where what was divided by is zero.
+    None if none are found. It is not known whether there are others where a divisor is zero.
     """
     values: dict[sp.Basic, sp.Expr] = {}
     is_everywhere = True

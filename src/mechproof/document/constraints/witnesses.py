@@ -71,8 +71,8 @@ def find_points(
 ) -> Iterator[Point]:
     """Yield points of letters at which all residuals are zero, to many digits.
 
-    As many starts as `count` says are tried of either kind. There are none where slopes cannot be
-    computed, those of a floor, of a limit, or of a sum by its bound.
+    `count` starts of either kind are tried. No point is found where slopes cannot be computed:
+    those of a floor, of a limit, or of a sum by its bound.
     """
     symbols = sorted(letters, key=str)
     slopes = _differentiate(residuals, symbols).tolist() if residuals and symbols else []
@@ -120,7 +120,7 @@ def _draw(domain: Domain, symbols: list[sp.Basic], count: int) -> list[Point]:
 def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.Ball] | None:
     """Return balls around a point in which a point lies at which all residuals are zero.
 
-    None if that is not shown. Of residuals that depend on others there the balls contain zero.
+    None if that is not shown. The balls of residuals that depend on others contain zero there.
     """
     with balls.working_precision(_BITS):
         values = {s: balls.to_ball(value) for s, value in point.items()}

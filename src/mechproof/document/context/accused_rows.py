@@ -132,8 +132,8 @@ def _accuse(
 def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
     """Return whether a constraint may be said of a special position that is no matter of a row.
 
-    It is announced as another case, words between them turn a sense, or it comes later and is an
-    equation such as a = b + pi.
+    That is so if it is announced as another case, if words between them reverse a sense, or if it
+    comes later and is an equation such as a = b + pi.
     """
     may_equate = other > number or tasks[other].said.is_equating
     is_other = tasks[other].is_case or is_turned(tasks[other], tasks[number])
@@ -166,8 +166,8 @@ def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
 def _list_later(at: Judging, accused: Collection[int]) -> Iterator[tuple[int, int]]:
     """Yield rows that are accused, with what defines their letters after them.
 
-    What says behind a display what its letters mean is no print of its own, and what is proved
-    is as right as what is printed before it.
+    A sentence behind a display that says what its letters mean is no print of its own, and what is
+    proved is as right as what is printed before it.
     """
     tasks = at.tasks
     for n in accused:

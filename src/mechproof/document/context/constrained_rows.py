@@ -153,7 +153,7 @@ def solve_constraints(at: Judging) -> Changes:
 def _judge_halves(at: Judging) -> Changes:
     """Judge what introduces one of two letters that are printed at once, x_{1,2}, before.
 
-    What ties them where that print is refuted is left open.
+    The ties of the two letters are left open where that print is refuted.
     """
     tasks, asked = at.tasks, dict[int, int]()
     for n, task in enumerate(tasks):
@@ -182,7 +182,8 @@ def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
 def doubt_by_premises(at: Judging) -> Changes:
     """Leave open what follows only from a row that is refuted, or from several that are contested.
 
-    Of rows that contradict each other one may be right, and none defines a letter of the others.
+    One of several rows that contradict each other may be right, and none of them defines a letter
+    of the others.
     """
     tasks, rows = at.tasks, at.rows
     bound = [n for n, task in enumerate(tasks) if binds(task)]

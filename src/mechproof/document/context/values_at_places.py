@@ -120,7 +120,7 @@ def judge_at_place(
 ) -> Judgement | None:
     """Judge a value with the only values that tied letters have there; None if some may have more.
 
-    What differs is refuted only if both sides have the same letters then, as identities have.
+    A difference is refuted only if both sides then have the same letters, as identities have.
     """
     places = _find_places(tasks[number])
     task = replace(tasks[number], at={**tasks[number].at, **at})

@@ -69,7 +69,7 @@ def _list_turns(
 ) -> list[sp.Expr]:
     """Return what turns are besides radians where they are counted: 2 pi rad/s are 1/s.
 
-    Of an angular velocity that is declared in rad/s, 1/s is the same.
+    For an angular velocity that is declared in rad/s, 1/s is the same.
     """
     counted = [one.scale == REVOLUTIONS for one in (unit, *others)]
     dimension = symbols.find_dimension(own) if own is not None else None
@@ -131,8 +131,8 @@ def round_irrational(sign: Sign) -> PrintedNumber | str | None:
 def judge_factor(task: Task) -> Judgement | str:
     """Judge the one decimal of an equation that is a factor, where both sides agree otherwise.
 
-    What is no rounding of the recomputed number accuses nobody where more may have been rounded:
-    another decimal, or one in what defines letters.
+    A number that is no rounding of the recomputed one accuses nobody where more may have been
+    rounded: another decimal, or one in the definition of a letter.
     """
     number, sides = task.sign.factor, task.sign.sides
     if not (number and isinstance(task.row.says, Equality)):

@@ -227,7 +227,7 @@ def list_zeros(
 ) -> dict[sp.Basic, sp.Expr]:
     """Return the zeros that letters without a formula are said to be beside a print or before it.
 
-    What prints such a letter, or a derivative of it, is meant for other values, too.
+    An equation that prints such a letter, or a derivative of it, is meant for other values, too.
     """
     known = sizes.known
     steps = ((s, known.symbols.find_steps(s)[1]) for one in signs for s in one.printed)

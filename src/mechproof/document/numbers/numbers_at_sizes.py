@@ -127,7 +127,7 @@ def _round_as_said(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumb
 def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | str:
     """Return the formulas of a number at the sizes, or why there are none.
 
-    That a formula is zero says something of letters whose sizes are not known.
+    A formula that is zero says something of letters whose sizes are not known.
     """
     declared, sizes = at.known.symbols.usual, at.list_all()
     value = at.known.settle(sign.value)

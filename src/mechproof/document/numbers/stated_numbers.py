@@ -66,7 +66,7 @@ class StatedNumbers:
     def state(self, printed: Printed, row: Row, sign: Sign) -> tuple[Row, Sign, bool] | str:
         """State what a number says, if a sign is beside one, or say why that is left open.
 
-        Last comes whether it states what a number says.
+        The last result tells whether it states what a number says.
         """
         is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
         if is_number and not sign.value.has(sp.Limit):
