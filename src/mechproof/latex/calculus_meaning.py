@@ -64,7 +64,7 @@ def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
 def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Expr]:
     """Yield the factors below lines that an expression does not show any more.
 
-    Of each divisor is said which part of an expression shows it.
+    `divisors` gives, for each divisor, the part of an expression that shows it.
     """
     kept = {power.base for power in value.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
     for divisor, shown in divisors.items():
@@ -114,7 +114,7 @@ def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.
 def give_derivative(meaning: Meaning, node: Derivation) -> Any:
     """Return a derivative, worked out, where what is differentiated has a value.
 
-    That of a column by another has a row for each entry of the first (numerator layout).
+    The derivative of a column by another has a row for each entry of the first (numerator layout).
     """
     variable, printed = meaning.letter(node.by), meaning.side(node.of)
     columns = variable, printed

@@ -223,7 +223,7 @@ def _read_phase(parser: Parser, factors: list[tree.Node]) -> tree.Node:
 def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
     r"""Return whether a letter stands at a place whose product with what is before is an angle.
 
-    What begins a phase has to be followed by the rest of it: in `n\omega t` that is t.
+    The beginning of a phase has to be followed by the rest of it: in `n\omega t` that is t.
     """
     nodes = [*tree.walk(before)]
     letters: list[sp.Basic] = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
@@ -245,7 +245,7 @@ def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
 def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool:
     r"""Return whether letters count what stands behind, \cos nx, or an integral is over it.
 
-    What is known to be an angle counts nothing, and what is known to be none is not counted.
+    A known angle counts nothing, and what is known to be no angle is not counted.
     """
     match = parser.names.match(parser.tokens, place)
     known = parser.notation.dimensions
@@ -309,7 +309,7 @@ def _is_behind_space(parser: Parser) -> bool:
 def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
     r"""Return whether what stands behind an angle makes no angle of it: \cos\theta\,x.
 
-    That is a letter that is no number, or a bracket with such letters, and no quotient in it.
+    That is a letter that is no number, or a bracket with such letters and without a quotient.
     """
     known, nodes = parser.notation.dimensions, [*tree.walk(argument)]
     letters = [node.symbol for node in nodes if isinstance(node, tree.Letter)]

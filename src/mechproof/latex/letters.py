@@ -84,8 +84,8 @@ def _refuse_place(parser: Parser) -> None:
 def _multiplies(parser: Parser, letter: Letter) -> bool:
     r"""Return whether a bracket multiplies a letter: s(s-a), r(1-\cos\varphi), k(a+b).
 
-    It has the letter as a number, or units tell: the letter depends on nothing but time, and the
-    bracket is a sum that is no argument.
+    It does if the letter stands in it as a number, or if units tell so: the letter depends on
+    nothing but time, and the bracket is a sum that is no argument.
     """
     bracket, _ = _look_at_bracket(parser)
     inside = bracket.inside if isinstance(bracket, Bracket) else None
@@ -235,7 +235,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
 def _is_called(parser: Parser, letter: Letter) -> bool:
     """Return whether a letter that depends, and always has a bracket, has its argument there.
 
-    What depends on time is multiplied by a sum in which there is none.
+    A letter that depends on time is multiplied by a sum without time.
     """
     if letter.text not in parser.notation.bracketed or letter.text in parser.factors:
         return False

@@ -198,8 +198,8 @@ def find_number(
 ) -> tuple[str, Any, str, tuple[str, str]]:
     """Return the digits of the side that is a number, with its sign, the other side, the unit.
 
-    Last come the digits and the unit of the other side, if it is a number with a unit, too. What
-    is calculated has no digits, but a unit.
+    The last results are the digits and the unit of the other side, if it is a number with a unit,
+    too. A calculation has no digits, but a unit.
     """
     for node, partner, other in zip(reversed(nodes), nodes, sides, strict=True):
         digits, unit = _read_digits(node)

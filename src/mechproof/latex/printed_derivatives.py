@@ -135,7 +135,8 @@ def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
 def fold_slashed(tokens: Sequence[Token], names: Names) -> tuple[Token, ...]:
     r"""Return signs with d…/dx as \frac{d…}{dx}; where d is declared or integrates they stay.
 
-    So is what a derivative is defined by, \lim_{\Delta t\to0}\frac{\Delta x}{\Delta t}.
+    The limit that defines a derivative, \lim_{\Delta t\to0}\frac{\Delta x}{\Delta t}, is folded,
+    too.
     """
     folded: list[Token] = []
     place = 0

@@ -55,7 +55,6 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.Min: ("min",),
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
-# Functions of matrices.
 OF_MATRICES = ("det", "tr", "Tr", "inv")
 # Functions that mean different things in different places, and what is unclear.
 AMBIGUOUS = {"log": "its base (10, e, 2)", "arcctg": "its range", "arccot": "its range"}

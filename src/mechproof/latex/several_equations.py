@@ -41,7 +41,7 @@ def _measure(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
 def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
     """Return the rows of a print that is one environment with relations in it, none of another.
 
-    What follows the environment belongs to each of them.
+    What follows the environment belongs to each row.
     """
     kinds = [rf"\begin{{{kind}}}" for kind in _ROWS]
     levels = list(_measure(tokens))

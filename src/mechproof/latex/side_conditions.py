@@ -46,7 +46,7 @@ _JOINING = ("+", "-", "/", r"\pm", r"\mp", *DOTS)
 def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Return signs without the gaps that are mere blanks: those before no condition.
 
-    Nor are those that may part the entries of a row.
+    Gaps that may separate the entries of a row are kept, too.
     """
     tokens, unclear = _part_rows(tokens)
     texts = [token.text for token in tokens]
@@ -198,7 +198,7 @@ def _narrows(
 def _is_value(chain: Chain, *others: Chain) -> bool:
     r"""Return whether a letter has a value behind a condition: \text{ for }x=0,\ y=0.
 
-    It is none of those that stand alone in the statement or in the condition.
+    The letter must not stand alone in the statement or in the condition.
     """
     letter, *values = chain.members
     is_value = isinstance(letter, Letter) and not any(map(_has_letter, values))

@@ -200,7 +200,7 @@ def find_zero(difference: sp.Expr, by: sp.Basic) -> sp.Expr | None:
 def has_value(value: Any, by: sp.Basic, point: sp.Expr) -> bool:
     """Return whether a value has one at a point where pieces may end, as far as is seen.
 
-    It has none where the pieces that meet differ, nor where none holds.
+    It has none where the pieces that meet differ, or where no piece holds.
     """
     for piece in value.atoms(sp.Piecewise):
         near = [inside for inside, said in piece.args if any(_ends(said, by, point))]
