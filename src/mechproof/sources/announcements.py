@@ -250,7 +250,7 @@ class Announced:
 def _follows(words: str) -> bool:
     """Return whether words tell of a consequence before they say anything else.
 
-    What letters mean, behind the display before, says nothing new.
+    Words that say what letters mean, behind the display before, say nothing new.
     """
     sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
     return any(_CONSEQUENCE.search(one) and not _tells_of_another(one) for one in sentences[:1])
