@@ -37,7 +37,8 @@ _ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
     r"""Return what is said to count, the letters of n!, of orders, and those up to which sums go.
 
-    It is n also in \sum_{k=1}^{n-1}, in \dots+n^2, alone in \dots+kx_n, and in (-1)^n.
+    The letter n is also found in \sum_{k=1}^{n-1}, in \dots+n^2, alone in \dots+kx_n, and in
+    (-1)^n.
     """
     found = dict.fromkeys(said)
     for texts in map(list_signs, prints):

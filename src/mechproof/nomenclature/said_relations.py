@@ -71,7 +71,7 @@ def _split(relation: sp.Basic) -> list[sp.Basic]:
 def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
     """Return the set that a relation between fractions of polynomials says, None for any other.
 
-    What SymPy makes of other functions is not believed.
+    What SymPy solves of other functions is not trusted.
     """
     is_rational = all(side.is_rational_function(symbol) for side in relation.args)
     return solve(relation, symbol) if is_rational else None

@@ -165,7 +165,8 @@ def collect_letters(
 def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
     """Return families, and what their members are printed like, as a pattern without braces.
 
-    Their index runs through a sum somewhere. So is F_k = m_k a, beside a member of such a family.
+    The index of a family runs through a sum somewhere. F_k = m_k a has members of families, too, if
+    it has one whose index runs so.
     """
     summed = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
     families = dict(summed)
@@ -285,7 +286,7 @@ def find_arguments(latex: str, place: int) -> str:
 def is_vector(letter: str) -> bool:
     """Return whether a letter is printed as a vector, or in a frame: it is no number then.
 
-    So is a rate of one.
+    A rate of a vector is one, too.
     """
     return _RATE.sub("", letter).startswith((*VECTORS, LEFT))
 
@@ -309,7 +310,7 @@ def find_framed(prints: Sequence[str]) -> Iterator[str]:
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
     """Yield the letters that are printed to be a matrix, and its numbers of rows and columns.
 
-    What has conditions in it lists cases.
+    A table with conditions in it lists cases.
     """
     for latex in prints:
         for match in _MATRIX.finditer(_TABLE.sub("", latex)):

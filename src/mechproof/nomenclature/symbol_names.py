@@ -40,7 +40,6 @@ _SET = (
 _INDEX = re.compile(rf"_\{{\s*(?:{_SET}|[A-Za-z]{{2,}})\s*\}}|_(?:{_SET})")
 _WORD = re.compile(r"[A-Za-z]{2,}(?=[\s}]*\Z)")
 _TYPES = (r"_{{{}}}", r"_{{\mathrm{{{}}}}}", r"_{{\text{{{}}}}}")
-# A double sign.
 DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 _PAIR = re.compile(r"(.+)_\{?(\d)\s*(?:[,/]|\{,\}|\\,)+\s*(\d)\}?")
 _PRINT = re.compile(
