@@ -46,7 +46,7 @@ def dimensions_of(paper: Paper) -> Dimensions:
 def check_derived(paper: Paper) -> None:
     """Raise `RecordError` for a derived value that is not of the dimension of its symbol.
 
-    Of letters that are declared nowhere, which have to be gone in the end, no dimension is known.
+    The dimensions of undeclared letters, which have to be gone in the end, are not known.
     """
     known = dimensions_of(paper)
     derived = [(row.number, row.derived) for row in paper.rows]
@@ -211,7 +211,7 @@ def _of_root(node: Implicit, known: Dimensions) -> Dimension | None:
 def _of_limit(node: sp.Limit, known: Dimensions) -> Dimension | None:
     """Return the dimension of a limit whose letter has one of those that are known.
 
-    What the letter goes to may be zero, which has every dimension.
+    The letter may tend to zero, which has every dimension.
     """
     body, variable, point, _ = node.args
     own = None if point.is_infinite else infer(point, known)

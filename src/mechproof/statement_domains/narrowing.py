@@ -93,7 +93,7 @@ def leaves_values(
 ) -> bool:
     """Return whether narrowing leaves values for each symbol once some are chosen.
 
-    What it takes away is shown, by exact numbers: without values left the domain is empty.
+    What it takes away is excluded by exact numbers: without values left the domain is empty.
     """
     gaps = [gap for relation in relations for gap in _list_gaps(relation)]
     return _narrow({**_ranges(sets), **_ranges(_single(chosen))}, gaps) is not None
