@@ -70,7 +70,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
 def _by_values(slack: Slack, domain: Domain) -> bool:
     """Compare an arc, such as an inverse sine, with another number by what it is the inverse of."""
     return any(
-        end.value.is_finite and is_shown_there(end, domain) and show_sign(value, domain)
+        not end.value.is_infinite and is_shown_there(end, domain) and show_sign(value, domain)
         for value, _, end in list_by_values(slack._replace(value=domain.resolve(slack.value)))
     )
 
