@@ -226,8 +226,6 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
                 return _refuse_empty(replace(domain, within={**domain.within, symbol: narrowed}))
     if isinstance(relation, sp.Eq) or not isinstance(relation, Relational):
         return domain
-    if any(_contradicts(relation, other, domain) for other in domain.where):
-        return None
     return _refuse_empty(replace(domain, where=(*domain.where, relation)))
 
 
@@ -243,19 +241,6 @@ def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:
         return False
     (value,) = values
     return any(relation.subs(symbol, value) == sp.false for relation in domain.where)
-
-
-def _contradicts(relation: Relational, other: sp.Basic, domain: Domain) -> bool:
-    """Return whether an inequality says the opposite of another relation of the domain."""
-    one, two = find_slack(relation), find_slack(other)
-    if one is None or two is None or one.value.free_symbols != two.value.free_symbols:
-        return False
-    ratio = sp.cancel(two.value / one.value)
-    if not (ratio.is_number and ratio.is_negative):
-        return False
-    apart = (r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Ne))
-    is_apart = any(sp.cancel(number / one.value).is_number for number in apart)
-    return one.strict or two.strict or is_apart
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
