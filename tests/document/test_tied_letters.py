@@ -195,3 +195,25 @@ LAWS = {
 def test_an_angle_of_its_own_moves_beside_a_law(name: str) -> None:
     equations, expected = LAWS[name]
     assert judge_rows(CAM, *equations)[1].outcome == expected
+
+
+@pytest.mark.parametrize(("moving", "outcome"), [("s", OPEN), ("s(t)", "PROVED")])
+def test_rates_of_what_moves_are_not_zero_where_nothing_that_gives_it_moves(
+    moving: str, outcome: str
+) -> None:
+    block = rf"""%% mechproof
+%% \theta(t) : angle [rad]
+%% r : radius [mm]
+%% {moving} : way [mm]
+%% \omega : rate [rad/s]
+%% end
+"""
+    prints = (
+        r"\theta=\frac sr",
+        r"\omega=\dot\theta",
+        r"r^2\omega=r^2\dot\theta",
+        r"\omega=2\dot\theta",
+    )
+    rows = judge_rows(block, *prints)
+    assert rows[2].outcome == outcome
+    assert rows[3].outcome == ("REFUTED" if moving == "s(t)" else OPEN)

@@ -41,7 +41,11 @@ from mechproof.document.context.restated_prints import (
     doubt_by_restated,
     tell_unlike,
 )
-from mechproof.document.context.undeclared_motion import doubt_by_motion, doubt_by_ties
+from mechproof.document.context.undeclared_motion import (
+    doubt_by_motion,
+    doubt_by_stillness,
+    doubt_by_ties,
+)
 from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging_workers import (
     COMPARED,
@@ -211,7 +215,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= dict(doubt_by_unread(at, found))
         rows |= dict(doubt_by_cases(at))
         rows |= {n: row for n, row in doubt_by_ties(at) if n not in placed}
-        for doubt in (doubt_by_motion, doubt_by_examples, doubt_by_restated):
+        for doubt in (doubt_by_motion, doubt_by_stillness, doubt_by_examples, doubt_by_restated):
             rows |= dict(doubt(at))
         rows |= dict(doubt_by_matrices(at, document.find_possible_matrices()))
     finally:

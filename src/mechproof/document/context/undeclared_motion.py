@@ -15,7 +15,7 @@ import sympy as sp
 from mechproof.document.checked_rows import CheckedRow, make_row
 from mechproof.document.constraints.consequences import FOLLOWING, GIVEN, list_letters
 from mechproof.document.constraints.witnesses import find_points
-from mechproof.document.context.doubts import list_compared, list_printed, reach
+from mechproof.document.context.doubts import defines, list_compared, list_printed, reach
 from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.tasks import Role, Task
 from mechproof.nomenclature.symbols import Symbols
@@ -46,6 +46,33 @@ def doubt_by_motion(at: Judging) -> Changes:
         for n, task in asked:
             if met := sorted(list_compared(task, tasks) & angles, key=str):
                 yield n, make_row(task, _tell(met, [tasks[g] for g in group]))
+
+
+def doubt_by_stillness(at: Judging) -> Changes:
+    """Leave open what has rates of a letter that is said to move, and given by letters that do not.
+
+    They would be zero; one of the others moves, too.
+    """
+    moving, rates = at.symbols.moving, _list_rates(at.symbols)
+    still: dict[sp.Basic, str] = {}
+    for one in at.tasks:
+        if not defines(one, moving):
+            continue
+        letter = one.sign.letter
+        by, own = moving[letter]
+        letters = Domain.of(one.paper, one.row.on).resolve(letter).free_symbols
+        if letters and letters.isdisjoint({by, *moving, *rates}):
+            may = ", ".join(sorted(f"{s}({by})" for s in letters))
+            reason = (
+                f"{one.row.number} gives {letter}, which depends on {by}, by letters that do not; "
+                f"say in the block of letters which of them do: {may}"
+            )
+            still |= dict.fromkeys(own, reason)
+    for n, task in enumerate(at.tasks if still else ()):
+        is_certain = at.rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
+        met = list_compared(task, at.tasks) & still.keys() if is_certain else ()
+        if met:
+            yield n, make_row(task, still[min(met, key=str)])
 
 
 def doubt_by_ties(at: Judging) -> Changes:
