@@ -35,3 +35,26 @@ def test_nothing_follows_from_rows_that_contradict_each_other(consequence: str) 
 def test_what_has_further_letters_is_no_solution() -> None:
     sums = r"\begin{equation}a+b=c+q\end{equation}", r"\begin{equation}a=\frac i2\end{equation}"
     assert judge(*sums) == ["DEFINITION", "DEFINITION"]
+
+
+LOOP = r"""%% mechproof
+%% r ; l : lengths [mm] {r>0, l>r}
+%% x(t) : position [mm]
+%% \varphi(t) ; \beta(t) : angles [rad] {-\pi/2<\beta<\pi/2}
+%% end
+$$r\cos\varphi+l\cos\beta=x$$
+$$r\sin\varphi-l\sin\beta=0$$
+$$r\dot\varphi\cos\varphi-l\dot\beta\cos\beta=0$$
+$$r\dot\varphi\cos\varphi\sin\beta-l\dot\beta\cos\beta\sin\beta=0$$
+$$x^2-2xr\cos\varphi+r^2-l^2=0$$
+"""
+
+
+@pytest.mark.slow
+def test_a_slip_is_told_also_where_another_one_agrees_with_it() -> None:
+    papers = LOOP, LOOP.replace(r"-l\dot", r"+l\dot")
+    true, wrong = (check("paper.tex", paper).rows for paper in papers)
+    assert [row.outcome for row in true[2:]] == ["PROVED"] * 3
+    assert wrong[2].outcome == "not judged"
+    assert "compared with display 2" in wrong[2].reason
+    assert wrong[4].outcome == "PROVED"

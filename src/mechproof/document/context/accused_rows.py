@@ -9,6 +9,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+import sympy as sp
+
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row
 from mechproof.document.constraints.consequences import (
     FOLLOWING,
@@ -16,6 +18,7 @@ from mechproof.document.constraints.consequences import (
     holds_elsewhere,
     is_plain,
     is_turned,
+    list_letters,
     may_hold_for,
 )
 from mechproof.document.context.constrained_rows import (
@@ -188,10 +191,16 @@ def may_be_misprint(task: Task, row: CheckedRow) -> bool:
     return is_open and is_equation and not (task.is_rounded or is_one_of_two)
 
 
+def _list_moving(task: Task) -> set[sp.Basic]:
+    """Return the letters of a constraint and of its derivatives."""
+    return list_letters(task).union(*(rate.free_symbols for rate in task.rates))
+
+
 def doubt_by_proved(at: Judging) -> Changes:
     """Take no row as given that is one with a slip, false beside what others follow from.
 
-    Several such rows hide one another, so those are left out from which nothing follows.
+    Several such rows hide one another, so those are left out from which nothing follows. One from
+    which others follow is a slip only beside constraints before it that have all its letters.
     """
     tasks, rows = at.tasks, at.rows
     proved = tuple(n for n, row in rows.items() if row.outcome == Verdict.PROVED.value)
@@ -203,7 +212,9 @@ def doubt_by_proved(at: Judging) -> Changes:
         is_open = found is not None and found.rung == GIVEN and may_be_misprint(task, rows[n])
         beside = [g for g in given if g < n and may_hold_for(tasks[g], task)]
         beside = [*connect(n, beside, tasks)]
-        if is_open and beside and n not in given and not task.is_case:
+        met = set[sp.Basic]().union(*(_list_moving(tasks[g]) for g in beside))
+        is_bound = n not in given or list_letters(task) <= met
+        if is_open and beside and is_bound and not task.is_case:
             asked.append((n, tuple(beside), tuple(m for m in proved if m < n)))
     for (n, *_), said in at.ask(tell_misprint, asked):
         if isinstance(said, str) and said:
