@@ -177,8 +177,10 @@ def _find_quotient(
     tokens: Sequence[Token], place: int, names: Names
 ) -> tuple[list[Token], list[Token], int] | None:
     """Return what stands in the place of a limit of increments, with d for them, and its end."""
+    if tokens[place].text != r"\lim":
+        return None
     texts = [token.text for token in tokens[place:]]
-    if texts[:4] != [r"\lim", "_", "{", r"\Delta"]:
+    if texts[1:4] != ["_", "{", r"\Delta"]:
         return None
     middle = _skip_letter(tokens, place + 4, names) - place
     end = _skip_letter(tokens, min(place + middle + 6, len(tokens) - 1), names) - place
