@@ -59,12 +59,12 @@ class Field:
         self._degree = lcm(*(int(q) for q in broken if q > 2))
         self._translated.clear()
         translated = self._translate(expression)
-        # Generators are met while it is translated: only now are all relations known.
+        # Translating collects the generators: only now are all relations between them known.
         return is_zero(translated, self._relations)
 
     @property
     def rung(self) -> str:
-        """Name what the proof needed."""
+        """Name the rung by what the proof needed."""
         kinds = (
             (self.used_sums, "symbolic sum"),
             (self.used_roots, "radicals"),
@@ -87,7 +87,7 @@ class Field:
         if node.is_Rational or node.is_Symbol:
             return node
         if isinstance(node, sp.Add | sp.Mul):
-            # What is read as a polynomial need not be put in order before.
+            # The result is read as a polynomial, so SymPy need not order its terms first.
             parts = (self._translate(argument) for argument in node.args)
             return node.func(*parts, evaluate=False)
         if isinstance(node, sp.Pow) and node.exp.is_Integer:
@@ -152,7 +152,7 @@ class Field:
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
 
     def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
-        # Half an arctangent has no point that is rational in its argument and one root.
+        # cos(atan(u)/2) is not rational in u and one root: only whole angles are taken apart.
         if isinstance(monomial, _ARGUMENTS) and self._denominators[monomial] == 1:
             return self._point_of_argument(monomial)
         if monomial not in self._circle:
@@ -266,7 +266,7 @@ class Field:
         return f"the sign of {shown} is not shown" if shown is not None else ""
 
     def _translate_opaque(self, node: sp.Basic) -> sp.Symbol:
-        """Give equal functions of provably equal arguments one symbol."""
+        """Return one symbol for equal functions whose arguments are proved equal."""
         for known, symbol in self._opaque.items():
             if known.func == node.func and len(known.args) == len(node.args):
                 pairs = zip(known.args, node.args, strict=True)
@@ -282,7 +282,7 @@ class Field:
         return all(Field(self.domain).vanishes(a - b) for a, b in pairs)  # type: ignore[attr-defined]
 
     def _reduce(self, polynomial: sp.Expr) -> sp.Expr:
-        """Return the normal form: every related generator to at most its first power."""
+        """Return the normal form, in which every related generator has at most the power 1."""
         return reduce_polynomial(polynomial, self._relations)
 
 
@@ -307,7 +307,7 @@ def _find_rung(field: Field, difference: sp.Expr) -> str | None:
 def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
     field, difference = Field(domain), left - right
-    # SymPy works long at products without end, and to order terms by the values of integrals.
+    # SymPy takes long over endless products, and orders terms by the values of their integrals.
     try:
         if not has_parts(difference, sp.Product):
             field.vanishes(difference)

@@ -23,10 +23,10 @@ from mechproof.record.relations import KINKED
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "values of any functions"
-# Work limit: terms of what is integrated.
+# Work limit: terms that are integrated one by one.
 _MOST_STEPS = 40
 _X = sp.Dummy("x", real=True)
-# Functions that are tried, the count of a function put for n.
+# Functions that are tried for a refutation, n counting the named ones so that each gets its own.
 _N = sp.Dummy("n")
 _SAMPLES = (_X**3 / _N + (_N + 1) * _X + 1, sp.exp(_X / _N) + _X**2)
 
@@ -65,7 +65,7 @@ def _list_names(side: sp.Expr) -> set[str]:
 
 
 def _try(sides: list[sp.Expr], sample: sp.Expr) -> tuple[list[sp.Expr], str]:
-    """Put functions for those that are named, and tell them."""
+    """Put sample functions in the place of the named ones, and say which."""
     called = sorted({name for side in sides for name in _list_names(side)})
     chosen = {name: sample.subs(_N, count) for count, name in enumerate(called, start=2)}
 
@@ -77,7 +77,7 @@ def _try(sides: list[sp.Expr], sample: sp.Expr) -> tuple[list[sp.Expr], str]:
 
 
 def _name_values(side: Any, names: dict[sp.Expr, sp.Dummy]) -> Any:
-    """Put a number of which nothing is known for each value, where its argument has one."""
+    """Replace each value of a function by an unknown number, where its argument has a value."""
     if isinstance(side, AnyFunction):
         *which, argument = side.args
         key = AnyFunction(*which, sp.expand(argument))
@@ -128,10 +128,10 @@ def _reduce(integrand: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _find_part(term: sp.Expr) -> sp.Expr | None:
-    """Return what a term is the derivative of, but for terms that are left then.
+    """Return an expression whose derivative is the term up to further terms.
 
-    The last function is differentiated less often, and the others more; of one that is multiplied
-    by a polynomial antiderivatives are taken, too.
+    The last function is differentiated less often, the others more; of a function that is
+    multiplied by a polynomial antiderivatives are taken as well.
     """
     powers = dict(factor.as_base_exp() for factor in sp.Mul.make_args(term))
     functions = [base for base in powers if isinstance(base, AnyFunction)]

@@ -23,15 +23,15 @@ RUNG = "sum of binomial squares"
 Monomial = tuple[int, ...]
 # A monomial alone, or two with the sign between them.
 Square = tuple[Monomial, Monomial, int]
-# Work limits: symbols, the degree, terms of a polynomial, and before it is multiplied out;
-# monomials that are tried, and those whose squares are summed.
+# Work limits: symbols; the degree; terms of a polynomial, and its terms before like ones are
+# collected; monomials that are tried as squares, and those that are used.
 _MOST_SYMBOLS = 6
 _LARGEST_DEGREE = 24
 _MOST_TERMS = 120
 _MOST_EXPANDED = 2000
 _MOST_TRIED = 20_000
 _MOST_MONOMIALS = 70
-# What a linear program finds below is zero.
+# Weights below this size are rounding errors of the linear program.
 _SMALL = 1e-9
 _JUMPING = (sp.sign, sp.Heaviside, sp.floor, sp.ceiling)
 _LINE, _HALF_LINES = sp.S.Reals, (sp.Interval(0, sp.oo), sp.Interval.open(0, sp.oo))
@@ -54,12 +54,12 @@ def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
     sets = {symbol: domain.set_of(symbol) for symbol in symbols}
     if not symbols or not all(s == _LINE or s in _HALF_LINES for s in sets.values()):
         return None
-    # What jumps where a number is zero is not said by what it is above.
+    # Where such a function jumps, its value does not follow from the polynomials found below.
     if _drop_odd_roots(value).has(*_JUMPING):
         return None
     degree = lcm(*(int(power.exp.q) for power in value.atoms(sp.Pow) if power.exp.is_Rational))
     real = {s: sp.Dummy(s.name, real=True) for s in symbols if sets[s] == _LINE}
-    # Roots of what is real alone are no polynomials, and those of products are.
+    # sqrt(x) and sqrt(x*y) become polynomials in roots of the variables only if these are positive.
     positive = {s: sp.Dummy(s.name, positive=True) for s in symbols if s not in real}
     names = {**real, **{s: root**degree for s, root in positive.items()}}
     above, below = sp.fraction(sp.together(sp.powdenest(value.xreplace(names))))
@@ -71,7 +71,7 @@ def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
     within = {x: _LINE if x in real.values() else _HALF_LINES[1] for x in letters}
     said = (relation.xreplace(names) for relation in domain.where)
     where = tuple(relation for relation in said if isinstance(relation, Relational))
-    # Where it is zero there is no value.
+    # A quotient has no value where its denominator is zero, so a weak sign is enough.
     sign = find_sign(below, Domain(within, where, {}))
     if sign is None:
         return None
@@ -102,7 +102,7 @@ def _is_small(polynomial: sp.Expr) -> bool:
 
 
 def _measure(part: sp.Expr) -> tuple[int, int]:
-    """Return no less than the degree of a polynomial, and than the number of its terms."""
+    """Return upper bounds for the degree of a polynomial and for the number of its terms."""
     if not part.args:
         return int(part.is_Symbol), 1
     if part.is_Pow:
@@ -158,9 +158,9 @@ def _add(one: Monomial, other: Monomial) -> Monomial:
 def _choose(
     squares: Sequence[Square], terms: Mapping[Monomial, sp.Rational], most: Monomial | None
 ) -> list[Square]:
-    """Return the squares of a sum that a linear program finds, none if it finds none.
+    """Return the squares that a linear program finds for a sum, none if it fails.
 
-    That of the monomial `most` is to have as large a weight as possible.
+    The square of the monomial `most` gets as large a weight as possible.
     """
     from scipy.optimize import linprog
     from scipy.sparse import coo_array

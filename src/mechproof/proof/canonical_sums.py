@@ -24,7 +24,7 @@ from mechproof.record.parts import has_parts
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 
-# Work limits: terms written beside a sum, and powers of an index (Faulhaber) in sums.
+# Work limits: terms split off at the ends of a sum, and powers of an index summed by Faulhaber.
 _MOST_ALIGNED = 8
 _LARGEST_POWER = 8
 Limit = tuple[sp.Symbol, sp.Expr]
@@ -52,7 +52,7 @@ def write_out(expression: sp.Basic) -> sp.Basic:
     return expression.func(*map(write_out, expression.args))
 
 
-# A refutation meets the same sums at every point that has the same counts.
+# A search for counterexamples meets the same sums at all points with the same counts.
 @lru_cache(maxsize=256)
 def _write_out(node: sp.Sum | sp.Product) -> sp.Basic:
     *inner, (index, lower, upper) = node.limits
@@ -66,7 +66,7 @@ def _write_out(node: sp.Sum | sp.Product) -> sp.Basic:
     return combine(*(write_out(substitute(body, {index: sp.Integer(k)})) for k in numbers))
 
 
-# Rows of a paper share their sums.
+# The rows of a paper share their sums.
 @lru_cache(maxsize=256)
 def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
     aligned = _align(node, domain)
@@ -162,7 +162,7 @@ def _carry_out_deltas(term: sp.Expr, limits: list[Limit]) -> tuple[sp.Expr, list
     limits = list(limits)
     while deltas := sorted(term.atoms(sp.KroneckerDelta), key=sp.default_sort_key):
         delta = deltas[0]
-        # Under a root, say, a delta is no choice of one index.
+        # A delta that is no factor, but under a root, say, does not just pick one index.
         if delta not in sp.Mul.make_args(term):
             raise NotImplementedError(f"{delta} that is not a factor of {term}")
         first, second = delta.args
@@ -191,7 +191,7 @@ def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
         renamed = body.subs(dict(zip((i for i, _ in order), names, strict=True)), simultaneous=True)
         bounds = [(n, 1, u) for n, (_, u) in zip(names, order, strict=True)]
         candidates.append(sp.Sum(renamed, *bounds))
-    # Any rule would do that does not look at the names the paper gave.
+    # Any rule would do that does not depend on the names in the paper.
     return min(candidates, key=sp.srepr)
 
 

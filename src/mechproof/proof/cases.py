@@ -25,12 +25,12 @@ from mechproof.statement_domains.narrowing import leaves_values
 from mechproof.statement_domains.set_values import list_closed_ends
 
 Sides = tuple[sp.Expr, sp.Expr]
-# Of both sides and the domain.
+# Proves both sides equal on a domain; called with the two sides and the domain.
 Prove = Callable[..., str | None]
 RUNG = "case by case"
-# Work limit: so many moduli, or numbers of which the largest is meant.
+# Work limit: moduli and the like in an expression, and arguments of a maximum or minimum.
 _MOST_WRITTEN = 5
-# What is written by pieces.
+# Functions that `write_pieces` writes as cases.
 IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
@@ -39,7 +39,7 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
     condition = min(_list_conditions(sides), key=sp.default_sort_key, default=None)
     if condition is None:
         return None
-    # A case that no point of the domain is in need not be proved.
+    # A case that holds at no point of the domain need not be proved.
     cases = {True: condition, False: condition.negated}
     met = {holds: narrow(domain, case) for holds, case in cases.items()}
     return _join(
@@ -58,7 +58,7 @@ def _always(condition: Relational, domain: Domain) -> bool:
 
 
 def _pin(sides: Sequence[sp.Expr], domain: Domain) -> tuple[Any, ...]:
-    """Put in the value of a symbol that lies at once on both sides of it, where pieces meet."""
+    """Put in the value of a symbol that two relations bound to it, where pieces meet."""
     *others, last = map(find_slack, domain.where or (sp.true,))
     met = (one for one in others if last and one and _are_opposite(one, last, domain))
     for slack in met:
@@ -165,7 +165,7 @@ def list_poles(sides: Iterable[sp.Expr]) -> set[sp.Expr]:
 
 
 def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
-    """Write one by pieces; where they join the seam may belong to either."""
+    """Write one function by pieces; the point where they meet may belong to either."""
     if isinstance(node, sp.sign):
         (number,) = node.args
         if number.is_Mul:
@@ -217,7 +217,7 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
     symbols = relation.free_symbols
     if len(symbols) == 1 and symbols <= domain.within.keys():
         (symbol,) = symbols
-        # SymPy raises the second where it takes a set of conditions for one of points.
+        # SymPy raises a TypeError where it mistakes a set of conditions for a set of points.
         with suppress(NotImplementedError, TypeError):
             narrowed = domain.set_of(symbol).intersect(solve(relation, symbol))
             if narrowed == sp.S.EmptySet or _excludes(domain, symbol, narrowed):

@@ -26,22 +26,23 @@ _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _LONG_NAME = re.compile(rf"{_WORD.pattern}(_\w+)?$")
-# What SymPy calls a variable of integration so that it is no other: its name and a line.
+# The name that SymPy gives to a dummy variable of integration: a name with `_` behind it.
 _DUMMY = re.compile(r"([A-Za-z]+)(\d*)_")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
-# Numbers with so many parts, and fractions of longer numbers, are written by so many digits.
+# Numbers with this many parts are written as decimals with this many digits, as are fractions of
+# integers with more than twice as many.
 _LONGEST_NUMBER, _DIGITS = 200, 15
-# Fractions are written by so many decimals at most.
+# Fractions with at most this many decimals may be written as decimal numbers.
 _PLACES = 6
-# A formula may become so many times longer when our letters are written by the paper's, or have so
-# many parts.
+# Our letters are written out unless that makes the formula more than this many times longer; a
+# formula of few parts may always be written out.
 _MOST_MORE, _FEW = 2, 30
 
 
 @dataclass(frozen=True)
 class _Letters:
-    """How a paper prints its letters, and what those of ours are that it has none for."""
+    """How a paper prints its letters, and what those letters of ours stand for that it lacks."""
 
     names: _NAMED
     ours: Mapping[sp.Basic, sp.Basic]
@@ -170,7 +171,7 @@ def _weigh(formula: sp.Basic, most: int | None = None) -> int:
 
 
 def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
-    """Find the numbers that SymPy would compute to put the terms around them in order."""
+    """Find the numbers whose values SymPy would compute to order the terms around them."""
     left, met = [formula], set[sp.Basic]()
     while left:
         part = left.pop()
@@ -252,7 +253,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
     def __init__(self, names: _NAMED) -> None:
         super().__init__({"inv_trig_style": "full"})
         self._names = names
-        # A matrix of derivatives repeats its parts.
+        # Keeps what is written: a matrix of derivatives repeats its parts.
         self._written: dict[sp.Basic, str] = {}
 
     def _print(self, part: Any, **settings: Any) -> str:

@@ -68,7 +68,7 @@ def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
 def _find_break_of_integral(
     node: sp.Integral, variable: sp.Symbol, domain: Domain
 ) -> sp.Basic | None:
-    """Limits must be continuous, the integrand continuous wherever its variable runs."""
+    """Return what may not be continuous: a limit, or the integrand wherever its variable runs."""
     for bound, *limits in node.limits:
         for limit in limits:
             found = find_break(limit, variable, domain)
@@ -83,7 +83,7 @@ def _find_break_of_integral(
 
 
 def _range_between(limits: list[sp.Expr], domain: Domain) -> sp.Set:
-    """From 0 to a symbol, the variable stays in the symbol's interval if that contains 0."""
+    """Return where the variable of an integral runs; from 0 to a symbol, that symbol's interval."""
     lower, upper = limits
     where = domain.set_of(upper) if upper.is_Symbol else sp.S.Reals
     return where if lower == 0 and where.contains(0) == sp.true else sp.S.Reals

@@ -39,12 +39,12 @@ from mechproof.statement_domains.domain import Domain, Point
 
 RUNG = "divergence"
 _NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}
-# Of these letters whole numbers may be meant, also where that is not said.
+# Letters that often mean whole numbers even where nobody says so.
 _WHOLE = (*"ijklmnN",)
-# The angles at which what swings is looked at.
+# Angles at which an oscillating expression is evaluated, to see whether its limits differ.
 _ANGLES = tuple(sp.pi * k / 4 for k in range(8))
 
-# Where between its limits it is looked whether an integrand has values.
+# Places between the limits, as shares of their distance, at which an integrand is evaluated.
 _SHARES = tuple(sp.Rational(k, 64) for k in (1, 8, 32, 56, 63))
 _ALL = Domain({}, (), {})
 
@@ -91,7 +91,7 @@ def lack_values_alike(sides: Sequence[sp.Expr], domain: Domain) -> bool:
 
 
 def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
-    """Tell it of one point; that an integral has no value is soon shown, if it is shown."""
+    """Tell at one point whether both sides have values, or are shown to have none."""
     lack = [_has_none(substitute(s, point)) for s in sides]
     has_values = [not lacks and has_value(s, point) for s, lacks in zip(sides, lack, strict=True)]
     pairs = zip(sides, lack, strict=True)
@@ -219,7 +219,7 @@ _RULES: Mapping[type[sp.Expr], Callable[[Any, Domain], str]] = {
     sp.Product: lambda node, domain: "",
 }
 
-# Work limit: so many sets of conditions are tried.
+# Work limit: sets of conditions that are tried.
 _MOST_TRIED = 3
 _Decide = Callable[[Any, Any, Domain], Answer]
 
@@ -227,7 +227,7 @@ _Decide = Callable[[Any, Any, Domain], Answer]
 def find_condition(sides: tuple[Any, Any], domain: Domain, decide: _Decide) -> Answer | None:
     """Answer by a condition under which sides are proved equal, or differ; None for none."""
     for needs in _list_tried(sides, domain):
-        # Of a part that has no point nothing is said.
+        # Nothing can be said of a part of the domain that has no points.
         with suppress(RecordError, NotImplementedError):
             part = narrow_to(domain, needs)
             answer = decide(*sides, part) if part is not None else None
@@ -247,7 +247,7 @@ def _report(answer: Answer, needs: Sequence[Slack]) -> Answer | None:
 
 
 def _write(need: Slack) -> str:
-    """Write a need as one says it of a letter, where a term is linear in one."""
+    """Write a need as a bound of a single letter, where a term is linear in one."""
     number, strict = need
     letters = sorted(number.free_symbols, key=str)
     slope = sp.diff(number, letters[0])

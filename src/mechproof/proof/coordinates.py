@@ -14,7 +14,7 @@ from mechproof.record import Slack
 from mechproof.record.parts import TURNING, replace_parts
 from mechproof.statement_domains.set_values import COUNTS
 
-# Functions of an angle by its sine and its cosine.
+# Trigonometric functions of an angle as functions of its sine and its cosine.
 BY_SINES: Mapping[type[sp.Expr], Callable[[sp.Expr, sp.Expr], sp.Expr]] = MappingProxyType(
     {
         sp.sin: lambda sine, cosine: sine,
@@ -69,7 +69,7 @@ def parametrise(variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr) -> tuple[sp
     return lower + (upper - lower) * variable, sp.Interval(0, 1)
 
 
-# The same each time: SymPy remembers what it has found out about a number.
+# Returns the same dummy each time, as SymPy caches what it knows about a number.
 @lru_cache(maxsize=256)
 def _name_number(symbol: sp.Basic, where: sp.Set) -> sp.Dummy:
     return sp.Dummy(f"v_{symbol}", nonnegative=True)
@@ -97,7 +97,7 @@ def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinat
     elif high.is_infinite:
         coordinates.replacement[symbol] = low + v
     else:
-        # It reaches low and never high, which is looked at by itself where it belongs to the set.
+        # v/(1 + v) never reaches 1, so `high` is checked separately if it belongs to the set.
         coordinates.replacement[symbol] = low + (high - low) * v / (1 + v)
 
 
@@ -113,7 +113,7 @@ def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Ex
     """Replace absolute values by variables that are not negative, their squares by those inside."""
     if not expression.has(sp.Abs):
         return expression
-    # Multiplied out with names in it: of a new absolute value SymPy would ask for the sign.
+    # Absolute values are named first: SymPy would look for the sign inside each new one.
     nodes = sorted(expression.atoms(sp.Abs), key=sp.default_sort_key)
     named = {node: sp.Dummy("size", nonnegative=True) for node in nodes}
     expanded = sp.expand(expression.xreplace(named))
@@ -221,7 +221,7 @@ def _lower(polynomial: sp.Expr, squares: dict[sp.Pow, sp.Expr]) -> sp.Expr:
     try:
         return reduce_polynomial(polynomial, squares)
     except sp.PolynomialError:
-        # Over other numbers than the rationals.
+        # The coefficients are not rational.
         for power, square in squares.items():
             polynomial = sp.rem(sp.expand(polynomial), power - square, power.base)
         return polynomial
@@ -240,7 +240,7 @@ def list_terms(expression: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
 
 
 _QUARTER = sp.pi / 2
-# What inverse functions are inverse to, on which range, and whether it rises or falls there.
+# For each inverse function: the function, the ends of its range, and 1 if it rises, -1 if it falls.
 _RANGES: Mapping[type[sp.Basic], tuple[type[sp.Expr], sp.Expr, sp.Expr, int]] = {
     sp.asin: (sp.sin, -_QUARTER, _QUARTER, 1),
     sp.acos: (sp.cos, sp.S.Zero, sp.pi, -1),

@@ -21,11 +21,11 @@ from mechproof.record import Slack, list_divisors
 from mechproof.record.parts import find_free, find_parts
 from mechproof.statement_domains.domain import Domain, Point
 
-# At so many values of the other letters zeros are solved for.
+# Number of points at which one letter is solved for, the others having their values there.
 _SOLVED = 3
-# Work limit: steps in which the number of a factorial comes to be negative.
+# Work limit: negative integers that are tried as the argument of a factorial.
 _MOST_STEPS = 12
-# Points that are tried; at so many of them zero is no single point of a line.
+# Points that are tried; if a divisor is zero at this many, its zeros are more than single points.
 _TRIED = 8
 _MANY = 2
 _BITS = (64, 512)
@@ -54,7 +54,7 @@ def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
     """List what has counts and may be zero, and leaves a side without a value where it is."""
     below = {divisor for side in sides for divisor in list_divisors(side)}
-    # Below a line that of a negative number is no pole: its quotient is zero there.
+    # A factorial of a negative integer in a denominator is no pole: its reciprocal is zero there.
     above = {f for side in sides for f in find_parts(side, sp.factorial)} - below
     ends = {end for factorial in above for end in list_ends(factorial)}
     for divisor in sorted(below | ends, key=sp.default_sort_key):
@@ -101,7 +101,7 @@ def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
     yield from _list_roots(divisor, domain, counts)
 
 
-# Rows of a paper share what they need to have values.
+# The rows of a paper share the conditions under which they have values.
 @lru_cache(maxsize=64)
 def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -> list[Point]:
     ordered, roots = sorted(letters, key=str), []
@@ -140,7 +140,7 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def _is_zero(divisor: sp.Expr, point: Point) -> bool:
-    """Tell whether a number cannot be told from zero."""
+    """Tell whether a number cannot be distinguished from zero."""
     exact = put_exactly(divisor, point)
     found = (balls.evaluate(exact, point, bits) for bits in _BITS)
     return all(ball.is_finite() and ball.contains(0) for ball in found)

@@ -12,7 +12,8 @@ from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain, Point
 
-# One term hides what goes wrong between terms, and none hides all of it: they are not the first.
+# A single term hides what goes wrong between terms, and no term hides everything, so the counts 1
+# and 0 do not come first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _MOST_TRIED = 2000
 _STEPS = (sp.floor, sp.ceiling, sp.sign, sp.Heaviside, sp.Mod, sp.Piecewise, sp.KroneckerDelta)
@@ -49,7 +50,7 @@ def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, 
 
 
 def find_first(count: sp.Basic, domain: Domain) -> sp.Integer | None:
-    """Return a whole number below which a count is said not to be."""
+    """Return a whole number that is known to be a lower bound of a count."""
     first = {sp.S.Naturals: sp.S.One, sp.S.Naturals0: sp.S.Zero}.get(domain.set_of(count))
     if first is None:
         return None

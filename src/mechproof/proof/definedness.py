@@ -55,7 +55,7 @@ def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator
 
 
 def _count(node: ExprWithLimits) -> ExprWithLimits:
-    """Return a sum or a product over whole numbers, as which they are said."""
+    """Return a sum or a product with its indices declared as whole numbers."""
     told = {
         index: {"nonnegative": True} if low.is_nonnegative else {} for index, low, _ in node.limits
     }
@@ -71,7 +71,7 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
         low, high = ends[::-1] if (ends[0] > ends[1]) == sp.true else ends
         run = sp.Dummy(variable.name, real=True)
         place, inside = parametrise(run, low, high)
-        # At the ends of an integral its integrand need have no value.
+        # An integrand need not have a value at the limits of integration.
         inside = inside if variable.is_integer else inside.interior
         if low == high:
             place, inside = low, sp.S.Reals
@@ -88,7 +88,7 @@ def put_in(side: Any, domain: Domain) -> Any:
     if value == side:
         return value
     partial = list_partial(side)
-    # At once: they hold one another.
+    # All at once, as some of them contain others.
     parts = dict(zip(partial, domain.resolve(sp.Tuple(*partial)), strict=True))
     for part, found in parts.items():
         if found.is_extended_real is False or found.has(sp.nan, sp.zoo):
@@ -181,7 +181,7 @@ def _is_shown(need: Slack, domain: Domain) -> bool:
     number, strict = need
     if not strict and number.has(sp.Sum) and find_sign(number, domain) is None:
         return _adds_squares(number, domain)
-    # Half angles of more than one variable take too long for what they say.
+    # In more than one variable half angles take too long for what they prove.
     return (is_shown_there if len(number.free_symbols) == 1 else is_shown)(need, domain)
 
 

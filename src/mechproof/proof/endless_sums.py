@@ -31,7 +31,7 @@ from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 
 PARTIAL_SUMS = "limit of partial sums"
-# Work limit: a term of more operations is not tried.
+# Work limit: operations of a term that is tried.
 _LARGEST = 40
 _N = sp.Dummy("n", integer=True, positive=True)
 _ABOVE = sp.Dummy("above", integer=True, nonnegative=True)
@@ -129,9 +129,9 @@ def _find_limit(partial: sp.Expr, domain: Domain) -> sp.Expr | None:
 
 
 KNOWN_SERIES = "known series"
-# Work limit: so many terms before the first of a sum are tried as the beginning of the series.
+# Work limit: terms missing at the beginning of a sum, compared with the known series.
 _MOST_BEFORE = 4
-# Of zeta and its like.
+# Powers s for which sums of 1/k**s, zeta(s) and the like, are known.
 _POWERS = range(2, 9)
 _J = sp.Dummy("j", integer=True, nonnegative=True)
 _A = sp.Dummy("a", real=True)
@@ -235,7 +235,7 @@ def _find_weighted(
         return None
     parts, left = [], sp.Poly(weight, k)
     for i in range(left.degree() + 1):
-        # Newton's form of the polynomial, by the numbers 0, 1, 2 and so on.
+        # Expands the polynomial in falling factorials: k, k*(k - 1) and so on.
         left, part = sp.div(left, sp.Poly(k - i, k))
         value = sp.factorial(i) / (1 - a) ** (i + 1) if is_geometric else sp.exp(a)
         parts.append(part.as_expr() * a**i * value)

@@ -150,7 +150,7 @@ def _prove_by_squares(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
 def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
     """Prove sides equal for each sign of what stands in moduli."""
     poles = list_poles(sides)
-    # SymPy raises it where a condition compares what may be complex.
+    # SymPy raises a TypeError where a condition compares numbers that may be complex.
     with suppress(TypeError):
         one, other = (write_pieces(side, poles) for side in sides)
         return None if (one, other) == tuple(sides) else prove_equal(one, other, domain)
@@ -214,7 +214,7 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     places = list(product(range(printed.rows), range(printed.cols)))
     entries = {place: _decide_scalars(printed[place], rebuilt[place], domain) for place in places}
     found = {answer.verdict for answer in entries.values()}
-    # Those are told that are judged worst.
+    # Only the entries with the worst verdict are reported.
     verdict = min(found, key=WORST_FIRST.index, default=Verdict.PROVED)
     told = {place: answer for place, answer in entries.items() if answer.verdict is verdict}
     rung = f"entrywise, {join_rungs([answer.rung for answer in told.values()])}"
@@ -282,7 +282,8 @@ def _find_break(
     """
     undefined = _cross_examine(*sides, domain)
     if undefined == EVERY_POINT and any(needs):
-        # Few points lie where more than one letter has to be positive.
+        # Random points seldom satisfy several conditions, so the search is narrowed to where they
+        # hold.
         part = narrow_to(domain, [*chain(*needs)])
         undefined = _cross_examine(*sides, part) if part else undefined
     undefined = undefined or find_count_without_value(sides, domain)

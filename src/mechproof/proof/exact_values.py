@@ -28,7 +28,7 @@ from mechproof.statement_domains.domain import Domain
 
 RUNG, RECOMPUTATION = "evaluation", "recomputation"
 _SIGNS = {"==": "=", "!=": "differs from"}
-# Beside those of the digits that are printed, and of a bound.
+# Added to the bits that the printed digits, or the separation bound, need.
 _GUARD_BITS = 64
 
 
@@ -103,12 +103,12 @@ def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
 
 
 SEPARATION = "separation bound"
-# Work limit: bits of a bound.
+# Work limit: bits of a separation bound.
 _MOST_BITS = 2**14
 
 
 class _NotAlgebraicError(ValueError):
-    """A number of which no bound is known."""
+    """A number whose conjugates have no known bounds."""
 
 
 @dataclass(frozen=True)
@@ -146,14 +146,15 @@ class _Extension:
 
     def find_degree(self) -> int:
         """Return the most that the degree of the number can be."""
-        # The cosines of all multiples of a part of a turn are half of its roots of unity.
+        # cos(2*pi/n) has degree phi(n)/2, and all the cosines of its multiples lie in the same
+        # field.
         circle = max(int(sp.totient(self.turn)) // 2, 1)
         return reduce(lambda total, root: total * root[1], self.roots, circle)
 
     def measure(self, number: sp.Expr) -> _Bits:
         """Return the bits of a number; `_NotAlgebraicError` if none are known."""
         if number.is_Rational:
-            # Of p a power of two above it, of q the least that is not below it.
+            # A power of two above |p|, and the least one that is at least q.
             return _Bits(abs(int(number.p)).bit_length(), int(number.q - 1).bit_length())
         if isinstance(number, sp.Add | sp.Mul):
             join = _Bits.add if number.is_Add else _Bits.multiply
@@ -167,7 +168,7 @@ class _Extension:
                 base = base.extract(degree)
             return base.raise_to(int(number.exp.p))
         if isinstance(number, CIRCULAR) and (part := number.args[0] / sp.pi).is_Rational:
-            # A sine is a cosine of the quarter turn less its angle.
+            # sin(x) = cos(pi/2 - x).
             self.turn = lcm(self.turn, 4, 2 * int(part.q))
             return _Bits(1, 1)
         raise _NotAlgebraicError(str(number))
@@ -183,7 +184,7 @@ def decide_by_separation(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
         bits = extension.measure(difference)
     except _NotAlgebraicError:
         return None
-    # The product of all conjugates of the upper integer is a whole number: at least 1, if not 0.
+    # The product of all conjugates of the numerator is an integer: at least 1 in size, if not 0.
     most = (extension.find_degree() - 1) * bits.above + bits.below
     if most > _MOST_BITS:
         return None

@@ -1,4 +1,4 @@
-"""Antiderivatives of what exponentials are in; nothing is proved here."""
+"""Antiderivatives of integrands with exponentials; nothing is proved here."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def write_by_power(
     """
     written = write_by_exponentials(integrand)
     nodes = [node for node in written.atoms(sp.exp) if node.has(variable)]
-    # What grows comes first: t does not come to zero far out.
+    # Growing exponentials come first, so that t does not tend to zero at infinity.
     order = {node: (node.args[0].could_extract_minus_sign(), str(node)) for node in nodes}
     exponentials = sorted(nodes, key=order.__getitem__)
     slopes = [sp.diff(node.args[0], variable) for node in exponentials]

@@ -23,7 +23,7 @@ _MOST_STEPS = 200
 def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if left = right for all numbers by the steps within a period."""
     difference = domain.resolve(left - right)
-    # Most statements have none, and to expand some takes seconds.
+    # Most statements have no floors, and expanding some of them takes seconds.
     if not difference.has(sp.floor):
         return None
     difference = sp.expand(sp.expand(difference).replace(sp.floor, _take_whole_out))
@@ -52,7 +52,7 @@ def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | Non
     if drift != 0 or steps > _MOST_STEPS or own != 0:
         return None
     places = sorted({place for one in floors for place in _list_steps(one.args[0], x, period)})
-    # Between the steps it is one number, wherever that is looked at.
+    # Between two steps the difference is constant, so that any place between them will do.
     between = [(one + other) / 2 for one, other in pairwise(places)]
     left_out = _list_left_out(x, period, domain)
     met = [place for place in places if all(one.subs(x, place) != 0 for one in left_out)]

@@ -30,7 +30,7 @@ from mechproof.record import list_divisors, list_needs, list_partial
 from mechproof.statement_domains.domain import Domain
 
 _Y = sp.Dummy("y", positive=True)
-# Work limits: parts of parts, and how many of them it costs to write a sum anew.
+# Work limits: the depth of nested parts, and how many levels of it rewriting a sum uses up.
 _DEEPEST = 15
 _REWRITTEN = 3
 _UNREAD = (sp.nan, sp.zoo, sp.Piecewise, sp.Integral, sp.Sum, sp.Product, sp.Limit)
@@ -58,7 +58,7 @@ def is_defined_near(
     expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
 ) -> bool | None:
     """Tell whether roots, logarithms and so on have values near a point; None if not shown."""
-    # They are listed as printed: of the root of a negative number SymPy takes out an imaginary one.
+    # The needs are read from the print: SymPy takes an imaginary root out of a negative radicand.
     needs = [need.value for part in list_partial(expression) for need in list_needs(part)]
     written = [_write_far_out(number, x, point, side) for number in (expression, *needs)]
     if any(number.has(*_UNREAD) for number in written):
@@ -155,13 +155,13 @@ def _find_product(node: sp.Mul, domain: Domain, depth: int) -> sp.Expr | None:
     bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(rest)]
     if {*bases} != {_Y, sp.E}:
         return None
-    # Such as exp(-y**2)*y**p.
+    # Settles 0*oo, as in exp(-y**2)*y**p.
     logarithm = _find(sp.expand_log(sp.log(rest)), domain, depth)
     return sp.S.Zero if logarithm == -sp.oo else None
 
 
 def _find_like(node: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
-    """Return the limit of a product whose factors are written as what they are like."""
+    """Return the limit of a product, its factors replaced by asymptotically equal ones."""
     factors = sp.Mul.make_args(node)
     like = sp.Mul(*(write_like(f, _Y, lambda u: _find(u, domain, depth), domain) for f in factors))
     lost = {*list_divisors(node)} - {*list_divisors(like)}
@@ -244,7 +244,7 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> Order | None:
         return _constant(limit)
     if isinstance(node, LIKE_ARGUMENT) and _find(node.args[0], domain, depth - 1) == 0:
         return _find_order(node.args[0], domain, depth - 1)
-    # Bounded, but like no number: of its sign nothing is said.
+    # It is bounded, but has no limit and no known sign.
     return _constant(None) if isinstance(node, _BOUNDED) else None
 
 
@@ -273,7 +273,7 @@ def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> Order | None:
     above, below = (sp.Poly(part, _Y) for part in sp.fraction(sp.together(node)))
     factor = above.LC() / below.LC()
     power = sp.Integer(above.degree() - below.degree())
-    # A leading coefficient with letters may be zero, and then the degree is another.
+    # A leading coefficient with letters may be zero, which would make the degree smaller.
     is_known = all(_direction(c, domain) for c in (above.LC(), below.LC()))
     return Order(sp.S.Zero, power, sp.S.Zero, factor) if is_known else None
 
@@ -293,7 +293,7 @@ def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> Order | None
     if any(order.factor is None for order in top):
         return replace(largest, factor=None)
     factor = sp.Add(*(order.factor for order in top))
-    # Leading terms that cancel leave one of lower order, of which this tells nothing.
+    # If the leading terms cancel, the order is a lower one that is not known here.
     return Order(*largest.size, factor) if _direction(factor, domain) else None
 
 

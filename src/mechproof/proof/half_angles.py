@@ -38,13 +38,13 @@ _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
 }
 _MONOTONIC = (sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh, sp.erf, sp.log)
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
-# Work limit: so many times a base angle, and so many base angles.
+# Work limits: the largest multiple of a base angle, and the number of base angles.
 _MOST_TIMES = 12
 _MOST_ANGLES = 3
 # Work limits: symbols and operations of an expression.
 _MOST_SYMBOLS = 4
 _LARGEST = 80
-# Points at which a number is tried.
+# Points at which a sign is refuted before a proof is tried.
 _TRIED = 6
 
 
@@ -110,7 +110,7 @@ def is_shown_there(slack: Slack, domain: Domain) -> bool:
 def _name_ranges(
     expression: sp.Expr, domain: Domain
 ) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
-    """Let functions of which only the range is known be numbers of it."""
+    """Replace functions of which only the range is known by variables with that range."""
     nodes = sorted(expression.atoms(*_MONOTONIC), key=sp.default_sort_key)
     outer = [n for n in nodes if not any(n != o and o.has(n) for o in nodes)]
     named: dict[sp.Basic, sp.Symbol] = {}
@@ -227,7 +227,7 @@ def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
     """Return a centre of the base angle and its interval about it, a whole turn at most."""
     if isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite:
         ends = [end / denominator for end in values.args[:2]]
-        # By quarter turns, after which sines and cosines are such again, but for order and sign.
+        # Shifts by quarter turns only swap sines and cosines or change their signs.
         centre = sp.pi / 2 * sp.floor((ends[0] + ends[1]) / sp.pi + sp.S.Half)
         low, high = (end - centre for end in ends)
         if (low >= -sp.pi) == sp.true and (high <= sp.pi) == sp.true:

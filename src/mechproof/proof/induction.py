@@ -40,7 +40,7 @@ from mechproof.statement_domains.preparation import prepare
 
 RUNG = "induction"
 _TO_COUNTS = (sp.Sum, sp.Product, sp.Integral)
-# Work limit: terms that come or go in one step.
+# Work limit: terms that are added or dropped from n to n + 1.
 _MOST_STEPS = 4
 
 
@@ -93,7 +93,7 @@ def sum_up(body: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
 
 def _propose(total: sp.Sum | sp.Product) -> sp.Expr:
     value: sp.Expr = total.doit()
-    # SymPy raises it for complex roots of a term.
+    # SymPy raises a TypeError if a term has complex roots.
     with suppress(TypeError):
         return sp.combsimp(value) if value.has(sp.RisingFactorial) else value
     return total
@@ -111,7 +111,7 @@ def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
-    """Return the symbols up to which sums and products run from an integer, each term once."""
+    """Return the symbols up to which sums and products run from an integer, one for each term."""
     sums = difference.atoms(*_TO_COUNTS)
     if any(len(limits) != 3 for total in sums for limits in total.limits):
         return set()
@@ -163,7 +163,7 @@ def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
     before, following, products = follow(difference, count)
     if not products:
         return _vanishes(following - before, domain)
-    # What a product is for n follows from the difference, which is taken to vanish there.
+    # The induction hypothesis, difference = 0, is solved for the value of the product at n.
     slope = before.diff(*products)
     named = before.free_symbols - difference.free_symbols
     if len(products) > 1 or slope.has(count, *named) or not is_analytic(slope):
@@ -208,12 +208,12 @@ def _vanishes(value: sp.Expr, domain: Domain) -> bool:
 
 
 OF_INEQUALITIES = "induction of an inequality"
-# Work limits: first numbers that are looked at singly, letters of a step, terms and operations.
+# Work limits: first numbers that are checked singly, letters, terms and operations of a step.
 _MOST_SINGLE = 6
 _MOST_LETTERS = 2
 _MOST_TERMS = 5
 _LARGEST = 60
-# Of a slack, on a domain.
+# Names the rung that shows the sign of a slack on a domain.
 Show = Callable[[Slack, Domain], str | None]
 
 
@@ -269,7 +269,7 @@ def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
         powers = [power for power in side.atoms(sp.Pow) if power.exp.has(n)]
         if not all(p.exp.is_nonnegative or is_nonzero(p.base, domain) for p in powers):
             return False
-        # Of others, as roots to n, no quotient is a fraction.
+        # Other exponents, as in the n-th root of x, give quotients that are not rational.
         if not all(power.exp.is_polynomial(n) for power in powers):
             return False
         if not has_values(*_name_factorials(side, domain)):
@@ -278,7 +278,7 @@ def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
 
 
 def _name_factorials(value: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
-    """Let factorials of what is not negative be positive numbers."""
+    """Replace factorials of numbers that are not negative by positive variables."""
     nodes = [node for node in value.atoms(sp.factorial) if node.args[0].is_nonnegative]
     named = {node: sp.Dummy("factorial", positive=True) for node in nodes}
     positive = dict.fromkeys(named.values(), sp.Interval.open(0, sp.oo))

@@ -36,13 +36,13 @@ HALF_ANGLES = "signs in half-angle tangents"
 ORDERS = "every order of the numbers"
 GAPS = "gaps of linear relations"
 VALUES = "order of inverse functions"
-# Work limits: roots that are squared, numbers that are put in order, terms of what is squared.
+# Work limits: roots that are squared, variables whose orders are tried, terms of a square.
 _MOST_ROOTS = 4
 _MOST_ORDERED = 3
 _MOST_TERMS = 120
-# Work limit: relations that are said, of which some are chosen.
+# Work limit: relations of the domain from which independent ones are chosen.
 _MOST_SAID = 6
-# Work limits: operations of a number, and of one that is written by gaps.
+# Work limits: operations of a number, and of a number that is written by gaps.
 _LARGEST, _LARGEST_MOVED = 150, 40
 _UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.KroneckerDelta, Root)
 
@@ -141,7 +141,7 @@ def _holds_by_gaps(
     rungs = (is_shown_there, _by_orders, _by_squares, binomial_squares.holds_by_squares)
     if any(rung(moved, part) for rung in rungs):
         return True
-    # Slopes of more functions take too long.
+    # With more gaps the derivatives take too long.
     return len(gaps) == 2 and monotonicity.holds_by_slope(moved, part)
 
 
@@ -231,7 +231,7 @@ def _holds_by_root(
 
 SIGNS = "signs of moduli"
 MEAN_VALUE = "mean value theorem"
-# Work limit: so many moduli are subtracted.
+# Work limit: moduli that are subtracted.
 _MOST_SUBTRACTED = 4
 
 

@@ -132,7 +132,7 @@ def _list_zeros_of_wave(inner: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr
 
 
 _BY_PIECES = (*IN_PIECES, sp.Piecewise, sp.floor)
-# Work limit: steps of a floor between the limits.
+# Work limit: steps of a floor function between the limits.
 _MOST_STEPS = 64
 
 

@@ -33,7 +33,7 @@ from mechproof.statement_domains.domain import Domain
 
 RUNG = "integration by parts to the next number"
 DERIVATIVES = "derivative of the derivative"
-# Work limits: factors of a term of R, and x with its functions in an integrand.
+# Work limits: the degree of R, and the number of x and its functions in an integrand.
 _LARGEST_DEGREE = 3
 _MOST_PARTS = 3
 
@@ -141,7 +141,7 @@ def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
     if not (is_wide and more.is_Integer and more > 0) or x.is_integer:
         return False
     if inside.has(n):
-        # What is for n + 1 has as its derivative a multiple of what is for n.
+        # The function for n + 1, differentiated `more` times, may be a multiple of the one for n.
         factor = sp.powsimp(sp.diff(inside.subs(n, n + 1), (by, more)) / inside)
         following = value.subs(n, n + 1)
         return not factor.has(by) and prove(factor * value, following, domain) is not None
@@ -157,7 +157,7 @@ def _goes_on(claim: _Claim, domain: Domain) -> bool:
     growth = reduce_quotient(value.subs(n, n + 1) / value) if value != 0 else sp.S.Zero
     if growth is None or not is_nonzero_below(growth, {n: n}, domain):
         return False
-    # What a product is for n + 1, and its derivative, divided by it.
+    # The growth from n to n + 1 and the logarithmic derivative of the integrand.
     logarithm = sp.expand_log(sp.log(term), force=True)
     step = sp.exp(sp.expand(logarithm.subs(n, n + 1) - logarithm)) - growth
     slope = sp.diff(logarithm, x)

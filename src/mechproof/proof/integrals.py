@@ -44,11 +44,11 @@ from mechproof.record.substitution import put_found, substitute
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "antiderivative"
-# Work limit: an integrand of more operations is not tried.
+# Work limit: operations of an integrand that is tried.
 _LARGEST = 60
-# Points at which improper integrals with letters are worked out, and the bits of what they are.
+# Points at which improper integrals with letters are evaluated, and the bits of their values.
 _FEWEST, _PRECISION = 2, 128
-# By a higher power than 1 of what runs to infinity, an integral converges.
+# An integral to infinity converges if its integrand falls faster than 1/x to this power > 1.
 _INTEGRATED = sp.Rational(9, 8)
 _NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 
@@ -286,7 +286,7 @@ def list_antiderivatives(
     for candidate in propose(integrand, variable, domain):
         moved = candidate.subs(variable, place)
         if _may_divide_by_zero(moved, inside):
-            # So will all others.
+            # All other candidates divide by it as well.
             return
         if find_break(moved, variable, inside) is not None:
             continue
@@ -323,7 +323,8 @@ def _find_end(
         if find_break(candidate, variable, domain.with_set(variable, near)) is None:
             return value
         if not value.has(*_NO_NUMBERS) and not any(p.base == 0 for p in value.atoms(sp.Pow)):
-            # A number, and no power of zero: of what other letters are is too little said.
+            # The value is finite, so a limit would not help: too little is known of the other
+            # letters.
             return None
     return find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
 

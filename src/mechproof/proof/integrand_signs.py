@@ -29,7 +29,7 @@ def holds_by_integrand(slack: Slack, domain: Domain, show: Callable[[Slack, Doma
     moduli = sorted((m for m in value.atoms(sp.Abs) if has_parts(m, sp.Integral)), key=str)
     if not moduli:
         return _is_shown(value, slack.strict, domain, show)
-    # -|u| is the lesser of u and -u.
+    # With a negative factor, c*|u| is the lesser of c*u and -c*u: both have to be checked.
     (modulus, *others), size = moduli, sp.Dummy("size", nonnegative=True)
     factor = sp.expand(value.xreplace({modulus: size})).coeff(size)
     if others or not is_shown(Slack(-factor, False), domain):
@@ -54,7 +54,7 @@ def _is_shown(
     if named.has(sp.Abs) or any(part.has(*names.values()) for part in (rest, *factors.values())):
         return False
     rate = sp.cancel(rest / length)
-    # Between ends that meet there is nothing, and the number has to be nothing, too.
+    # If the limits may coincide the integral is zero there, and so must be the other side.
     may_meet = not strict and sp.denom(sp.together(rate)).is_number
     if length.is_infinite or not is_shown(Slack(length, not may_meet), domain):
         return False

@@ -33,11 +33,11 @@ INVERSE = "inverse function: value and range"
 ROOT = "square of a root and its sign"
 TURNS = "sum of angles within a turn"
 LOGARITHMS = "product under one logarithm"
-# Work limits: terms of a sum of angles, whole multiples of them, roots that are squared.
+# Work limits: terms of a sum of angles, their whole multiples, roots that are squared.
 _MOST_TERMS = 6
 _MOST_TIMES = 12
 _MOST_ROOTS = 4
-# Work limit: operations of a difference.
+# Work limit: operations of the difference of the sides.
 _LARGEST = 150
 _TURN = 2 * sp.pi
 
@@ -46,7 +46,8 @@ _AREAS: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
     sp.acosh: lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
     sp.atanh: lambda u: (sp.log(1 + u) - sp.log(1 - u)) / 2,
 }
-# Of each inverse function: what it is inverse to, and what is not negative of its values, strictly.
+# For each inverse function: the function, and what must not be negative (strictly: must be
+# positive) for y to lie in its range.
 _INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., list[Slack]]]] = {
     sp.asin: (sp.sin, lambda y: [Slack(sp.pi / 2 + k * y, False) for k in (1, -1)]),
     sp.acos: (sp.cos, lambda y: [Slack(y, False), Slack(sp.pi - y, False)]),
@@ -216,7 +217,7 @@ def _vanishes(value: sp.Expr, domain: Domain, depth: int) -> bool:
 
 
 ARGUMENTS = "arguments of vectors"
-# Work limit: so many times an angle is added.
+# Work limit: the largest whole multiple of an angle.
 _MOST_TURNS = 24
 Vector = tuple[sp.Expr, sp.Expr]
 
@@ -233,7 +234,7 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     is_sum = all(isinstance(node, sp.atan | sp.atan2) for _, node in parted)
     if not is_sum or len(sizes) > 1 or len(parted) not in (2, 3):
         return None
-    # The one whose vector may point anywhere goes first, the others are added up.
+    # The angle whose vector may point anywhere comes first; the others are added up.
     parted.sort(key=lambda term: is_positive(_vector(term[1])[0], domain))
     (factor, alone), *others = parted
     is_pair = len(others) == 1 and others[0][0] == -factor

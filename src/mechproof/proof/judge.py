@@ -24,7 +24,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import COUNTS
 
 AS_TYPED = "as typed"
-# What SymPy's own errors mean to somebody who reads a paper.
+# What errors of SymPy mean to a reader of a paper.
 _TOLD: Mapping[type[Exception], str] = {
     RecursionError: "it is nested too deeply",
     ZeroDivisionError: "a part of it divides by zero",
@@ -61,7 +61,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         kind=row.kind,
         verdict=answer.verdict,
         rung=answer.rung,
-        # A printed row that was not read from its print says so.
+        # A row that was typed in rather than read from its print says so.
         marks=row.marks if row.read_as or "ours" in row.marks else (*row.marks, AS_TYPED),
         printed_latex=row.printed_latex,
         read_as=row.read_as,

@@ -22,7 +22,7 @@ from mechproof.statement_domains.domain import Domain
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)
 _A, _B, _C = (sp.Wild(name, exclude=(X, 0)) for name in "abc")
-# Of whole numbers the integrals are elementary.
+# With whole exponents the integrals are elementary, and found without this table.
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
 _M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: not number.is_Integer])
@@ -46,12 +46,12 @@ class KnownIntegral:
 def _endless(
     integrand: sp.Expr, value: sp.Expr, *positive: sp.Expr, nonnegative: tuple[sp.Expr, ...] = ()
 ) -> KnownIntegral:
-    """Return that from zero to infinity."""
+    """Return the table row of an integral from zero to infinity."""
     return KnownIntegral(integrand, (sp.S.Zero, _OO), value, positive, nonnegative)
 
 
 def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
-    """Return that of (f(a*x) - f(b*x))/x, f given at X with its last value less its first."""
+    """Return the row of (f(a*x) - f(b*x))/x, f given at X with its last value less its first."""
     one, other = at.subs(X, _A * X), at.subs(X, _B * X)
     return _endless((one - other) / X, jump * sp.log(_A / _B), _A, _B)
 
@@ -59,7 +59,7 @@ def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
 def _turn(
     integrand: sp.Expr, value: sp.Expr, *positive: sp.Expr
 ) -> tuple[KnownIntegral, KnownIntegral]:
-    """Return those of cosines over a half turn, which has this value, and over a whole one."""
+    """Return the rows of an integrand in cosines over a half turn, with this value, and a turn."""
     half = KnownIntegral(integrand, (sp.S.Zero, _PI), value, positive)
     return half, replace(half, limits=(sp.S.Zero, 2 * _PI), value=2 * value)
 
@@ -232,7 +232,7 @@ def _list_rows(integrand: sp.Expr, limits: list[sp.Expr]) -> Iterator[KnownInteg
 def _match(row: KnownIntegral, integrand: sp.Expr) -> dict[sp.Wild, sp.Expr] | None:
     """Return the letters of a row that a match proposes."""
     found = integrand.match(row.integrand)
-    # Of a letter that is squared the match finds one of two numbers.
+    # For a squared letter the match finds either of two signs; this takes the positive one.
     return found and {wild: sp.powdenest(value, force=True) for wild, value in found.items()}
 
 

@@ -68,7 +68,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
 UNCOMPARED = "nothing to compare with"
-# What was seen of a letter that is introduced.
+# Rungs of definitions: what was checked of a newly introduced letter.
 BOUND_AGREE = "bound symbols agree"
 AGREE = f"dimensions and {BOUND_AGREE}"
 
@@ -104,7 +104,7 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
     if verdict is Verdict.PROVED and equal.rung.endswith(DIVERGENCE):
-        # What has no value is no number that differs.
+        # A side without a value is no number, so the sides are not shown to be different numbers.
         return replace(equal, verdict=Verdict.UNDECIDED)
     told = "the two do not differ: " if verdict is Verdict.REFUTED else ""
     return replace(equal, verdict=verdict, reason=f"{told}{equal.reason}")
@@ -129,7 +129,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
             return answer
     if isinstance(relation, sp.Equality):
         return decide_sides(relation.lhs, relation.rhs, domain)
-    # What points refute need not be tried by every rung.
+    # Points are tried first: a relation that one refutes need not be tried by every rung.
     if violation := find_violation(relation, domain):
         reason = newton.explain(relation, domain) or "a point violates it"
         return Answer(Verdict.REFUTED, BALLS, reason, (violation,))
@@ -155,11 +155,11 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
     if not isinstance(relation, Relational):
         return domain.resolve(relation)
     sides = [put_in(side, domain) for side in relation.args]
-    # SymPy would compare integrals by values that it does not bound.
+    # Evaluating, SymPy would compare integrals by floating-point values without bounds.
     return relation.func(*sides, evaluate=False)
 
 
-# Rows share the numbers that they compare.
+# The rows share the numbers that they compare.
 @lru_cache(maxsize=256)
 def _decide_numbers(printed: sp.Basic, relation: sp.Basic, domain: Domain) -> Answer:
     """Decide a relation without letters, with the values of its integrals and endless sums."""
@@ -240,7 +240,7 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
 
 
 SIGN = "sign in positive coordinates"
-# Of powers of negative numbers to counts: so many are looked at.
+# Work limit: powers of negative numbers with whole exponents, whose signs double the cases.
 _MOST_TURNS = 2
 
 
@@ -252,7 +252,7 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return None if None in rungs else next(iter(rungs), SIGN)
     slack = find_slack(relation)
     if slack and relation.has(sp.floor, sp.ceiling):
-        # A whole number is not negative if it is above -1.
+        # A whole number is at least zero if it is greater than -1.
         is_met = slack.strict or not slack.value.is_integer
         above = slack if is_met else Slack(slack.value + 1, True)
         left, part = leave_fractions(write_steps(above.value), domain)

@@ -28,7 +28,7 @@ from mechproof.statement_domains.preparation import take_values
 
 FROM_SIDES = "limits from both sides"
 _MOST_DERIVATIVES = 9
-# Work limit: zeros beyond are not looked at.
+# Work limit: zeros larger than this are not looked for.
 _FAR = sp.Integer(10) ** 9
 _ENTIRE = (
     *(sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan, sp.asinh),
@@ -48,7 +48,7 @@ def settle_limits(expression: Any, domain: Domain) -> Any:
 def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     body, variable, point, direction = limit.args
     body = sum_up(body, variable, domain) if point == sp.oo else body
-    # Of a whole number n the sine of n*pi is zero, as that of pi/n is not.
+    # Real, as n is replaced by 1/n: sin(pi/n) would become sin(pi*n), which SymPy evaluates to 0.
     running = sp.Dummy(variable.name, real=True)
     run = write_by_sines(body.xreplace({variable: running}))
     value = _find_smooth(run, running, point, domain)
@@ -220,7 +220,7 @@ def _find_smooth(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
     if point.is_infinite:
-        # The way to infinity is that of the reciprocal to zero.
+        # x tends to infinity as 1/x tends to zero.
         body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero
     above, below = sp.fraction(sp.together(body))
     for _ in range(_MOST_DERIVATIVES):
@@ -231,7 +231,8 @@ def _find_smooth(
             return top / bottom
         if not all(decide_equal(part, sp.S.Zero, domain) for part in (top, bottom)):
             return None
-        # By l'Hospital's rule: the last derivative below is not zero, so none is about the point.
+        # By l'Hospital's rule: it needs a derivative of the denominator without zeros near the
+        # point.
         above, below = (sp.diff(part, variable) for part in (above, below))
     return None
 

@@ -36,7 +36,7 @@ _TRANSCENDENTAL = (
     *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.erf),
     *(sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh),
 )
-# Work limits: slopes of slopes, operations of a number and its slope, variables that are tried.
+# Work limits: nested derivatives, operations of a number and of its derivative, variables tried.
 _MOST_SLOPES = 5
 _LARGEST, _LARGEST_SLOPE = 60, 150
 _MOST_VARIABLES = 2
@@ -58,7 +58,7 @@ def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
     """List the variables of functions that run in intervals and stand in no relation."""
     powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}
-    # What stands in a relation does not run through its set whatever the others are.
+    # A variable in a relation does not run through its set independently of the others.
     coupled = {s for relation in domain.where for s in relation.free_symbols}
     symbols = {s for node in nodes for s in node.free_symbols} - coupled
     runs = sorted((s for s in symbols if isinstance(domain.set_of(s), sp.Interval)), key=str)
@@ -196,7 +196,7 @@ def _without(domain: Domain, x: sp.Symbol) -> Domain:
     return replace(domain, within={s: v for s, v in domain.within.items() if s != x})
 
 
-# Work limit: parts of a fraction in the exponent of a place.
+# Work limit: numerator and denominator of an exponent.
 _LARGEST_EXPONENT = 50
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
 

@@ -28,19 +28,19 @@ from mechproof.record.parts import find_free
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "Newton's method in balls"
-# Work limit: parts of a box.
+# Work limit: parts into which a box is cut.
 _MOST = 2**12
 _BITS = 128
-# The height of a part, above any that is an error.
+# Height of a part without an enclosure: above any that an error gives, so it is cut first.
 _UNKNOWN = 1e100
 _TURN = 2 * sp.pi
-# A whole turn and a little.
+# Just more than pi: from minus this to this is a whole turn and a little.
 _HALF_TURN = sp.Rational(355, 113)
 
 
 @dataclass(frozen=True)
 class _Task:
-    """That the last iterate is within a bound of its root, on a box of symbols."""
+    """The claim that the last iterate is within a bound of its root, on a box of symbols."""
 
     root: Root
     bound: sp.Expr
@@ -111,7 +111,7 @@ def _find_obstacle(root: Root, bound: sp.Expr, domain: Domain) -> str:
 def _find_side(
     symbol: sp.Symbol, values: sp.Set, root: Root, where: tuple[sp.Basic, ...]
 ) -> tuple[float, float] | None:
-    """Return doubles about an interval, about one turn where that says all; None without ends."""
+    """Return doubles around an interval, one turn where that is enough; None if unbounded."""
     if values == sp.S.Reals and _is_periodic(symbol, root, where):
         values = sp.Interval(-_HALF_TURN, _HALF_TURN)
     if not (isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite):
@@ -140,7 +140,7 @@ def _cover(task: _Task, whole: Box) -> str:
         with balls.working_precision(_BITS):
             return np.array([_find_height(task, as_box(box)) for box in boxes])
 
-    # Without symbols there is one part, of no side.
+    # Without symbols the box is a single point.
     cover = cover_below(bound, whole or ((0.0, 0.0),), 1.0, _MOST, 0)
     if cover.open is None:
         return ""
@@ -155,7 +155,7 @@ def _find_height(task: _Task, box: Box) -> float:
     cut.
     """
     values = task.enter(box)
-    # A part of the box on which a relation is false is none of the domain.
+    # A part on which a relation is false does not belong to the domain.
     if any(balls.truth(relation, values, _BITS) is False for relation in task.where):
         return 0.0
     given, limit = task.bracket(values), _run(task.bound, values)

@@ -14,7 +14,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.statement_domains.domain import Domain
 
-# Returns the limit of what the variable is in, None where it is not shown.
+# Returns the limit of an expression, None where it is not shown.
 Find = Callable[[sp.Expr], sp.Expr | None]
 _HALF_PI = sp.pi / 2
 # The limits at minus and plus infinity of functions that are continuous everywhere.
@@ -29,7 +29,7 @@ ENDS: Mapping[type[sp.Basic], tuple[sp.Expr, sp.Expr]] = {
     sp.cosh: (sp.oo, sp.oo),
     sp.Abs: (sp.oo, sp.oo),
 }
-# What shows how inverse functions behave where their argument comes to the number beside them.
+# Forms of inverse functions that show how they behave as their argument tends to the number.
 _SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
     (sp.atan, sp.oo): lambda u: sp.pi / 2 - sp.atan(1 / u),
     (sp.atan, -sp.oo): lambda u: -sp.pi / 2 - sp.atan(1 / u),
@@ -55,7 +55,7 @@ class Order:
     def times(self, other: Order) -> Order:
         """Return the order of a product."""
         rate, power, logs = (a + b for a, b in zip(self.size, other.size, strict=True))
-        # Bounded times what goes to a number is bounded, and like no number.
+        # Bounded times convergent is bounded, but need not converge.
         if self.factor is None or other.factor is None:
             return Order(rate, power, logs, None)
         return Order(rate, power, logs, self.factor * other.factor)
@@ -121,13 +121,13 @@ def write_inverses(node: sp.Expr, find: Find) -> sp.Expr:
     )
 
 
-# What they are off one by is like this where their argument is small.
+# Functions f with f(0) = 1: the leading term of f(u) - 1 for small u.
 LIKE_ONE: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
     sp.exp: lambda u: u,
     sp.cosh: lambda u: u**2 / 2,
     sp.cos: lambda u: -(u**2) / 2,
 }
-# Those that are like their argument where it is small.
+# Functions f with f(u)/u -> 1 as u tends to zero.
 LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, sp.atanh)
 
 

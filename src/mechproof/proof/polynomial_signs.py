@@ -167,8 +167,8 @@ def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> StrictSign
     if not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
         return None
     on_half_line = polynomial.gens[0] in half_lines
-    # Zero is counted with the half-line, so that the sign is strict where the letter may be zero.
+    # Counts the root 0, too, so that the sign is strict even where the letter may be zero.
     if polynomial.count_roots(0 if on_half_line else None, None):
         return None
-    # Without a root any place of the line tells the sign; 1 lies on the half-line, too.
+    # Without a root the sign at any place is the sign everywhere; 1 lies on the half-line, too.
     return sign_of_number(polynomial.eval(1))

@@ -173,7 +173,7 @@ def _write_root(root: sp.Pow, letters: set[sp.Basic], domain: Domain) -> sp.Expr
     powers = (p for p in written.atoms(sp.Pow) if not p.exp.is_Integer)
     if any(power.free_symbols & letters for power in powers):
         return root
-    # A divisor may cancel: it is zero at single values of what runs.
+    # Divisors with a running letter may vanish, as they do so only at single values of it.
     divisors = (x for x in list_divisors(root.base) if not x.free_symbols & letters)
     if not all(is_nonzero(x, domain) for x in divisors):
         return root

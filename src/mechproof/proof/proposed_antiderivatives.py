@@ -23,13 +23,13 @@ from mechproof.proof.signs import is_positive
 from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
 
-# Work limit: a power of the variable by which waves are divided.
+# Work limit: the power of the variable by which sines and cosines are divided.
 _HIGHEST = 2
 _TANGENT = sp.Dummy("t", real=True)
 
 
 def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
-    """Propose antiderivatives; SymPy is told which parameters are positive, and decides nothing."""
+    """Propose antiderivatives; SymPy is told which parameters are positive, but decides nothing."""
     told = {
         s: sp.Symbol(s.name, positive=True)
         for s in sorted(integrand.free_symbols - {variable}, key=str)
@@ -113,13 +113,14 @@ def _turn_logarithms(candidate: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    # Products of waves with letters are soon integrated as sums, and not by rules.
+    # Products of sines and cosines with parameters are quickly integrated as sums, but not by
+    # rules.
     waves = dict.fromkeys(integrand.atoms(sp.sin, sp.cos), sp.S.One)
     if integrand.free_symbols - {variable} and not integrand.xreplace(waves).has(variable):
         yield from _list_proposed(_propose_in_parallel, integrand, variable)
     # Fractions of the tangent of an angle are simpler than those of the tangent of its half.
     by_others = (_propose_by_cosine, _propose_by_tangent, _propose_by_half_angle)
-    # These first: at some fractions SymPy tries its rules for long.
+    # These come first, as SymPy tries its rules on some fractions for a long time.
     at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
     by_exponentials = (propose_by_exponentials, _propose_by_power)
     ways = (*at_first, *by_exponentials, _propose_by_rules, *by_others, _propose_in_parallel)

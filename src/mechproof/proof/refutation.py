@@ -32,24 +32,25 @@ from mechproof.statement_domains.domain import Domain, Point, sizes_of
 BALLS = "separating balls"
 POINTS = 40
 EVERY_POINT = "every point tried"
-# Where a point takes long, and where it takes long to find that there is no value.
+# Points that are tried where each takes long, and where showing that a value is missing does.
 FEW, FEWEST = 10, 4
 PRECISIONS = (64, 192, 512)
-# A look at what is likely to be false: of numbers, which are soon computed, a better one.
+# A first look, to refute false statements early; numbers are computed fast, so they get more bits.
 _FIRST_POINTS, _FIRST_PRECISIONS, _PRECISIONS_OF_NUMBERS = 2, (64,), (64, 2048)
-# How many choices of counts.
+# Choices of counts that are tried; more in a thorough search.
 _CHOICES = 3
 _MORE_CHOICES = 14
-# Statements that hold near zero may fail beyond the numbers that they name, or far away.
+# Statements that hold near zero may fail beyond the numbers that they name, if these are larger
+# than the first landmark, or far away.
 _FIRST_LANDMARK = 5
 _FAR = (sp.Integer(10) ** 6, sp.Integer(10) ** 15)
 _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
-# Characters of a relation that a reader still takes in.
+# Longest relation, in characters, that is quoted in full.
 _LONGEST_RELATION = 120
-# They are written out for each number.
+# Expressions that are written out for each value of their counts.
 _COUNTED = (sp.Sum, sp.Product, NthDerivative)
 _STEPS = (sp.floor, sp.ceiling, sp.Mod)
-# Balls wider than this say nothing of how close two sides are.
+# Balls wider than this do not show how close two sides are.
 _NARROW = arb(2) ** -32
 
 
@@ -77,7 +78,7 @@ def compare(
     widest = balls.to_ball(0)
     has_integrals = has_parts(printed, sp.Integral) or has_parts(rebuilt, sp.Integral)
     for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
-        # Integrals take long: those with no value at one point after another, and many digits.
+        # Integrals take long: give up if points keep failing, and use few bits once enough agree.
         if has_integrals and undecided >= FEWEST:
             break
         if has_integrals and agreeing >= FEWEST:
@@ -97,7 +98,7 @@ def compare(
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
     undefined = undefined or ("" if agreeing else EVERY_POINT)
-    # How far apart large numbers may be tells nothing.
+    # An absolute distance of 1 or more says nothing about how close large numbers are.
     shown = balls.show(widest, 3) if widest < 1 else ""
     return Comparison(None, agreeing, undecided, shown, undefined)
 
@@ -107,7 +108,7 @@ def are_seen_to_differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
     one, other = sides
     is_number = not any(side.free_symbols or side.has(sp.Integral) for side in sides)
     precisions = _PRECISIONS_OF_NUMBERS if is_number else _FIRST_PRECISIONS
-    # Of a domain in which no point is found nothing is known yet.
+    # If no point of the domain is found, nothing is known yet.
     with suppress(RecordError, NotImplementedError):
         return compare(one, other, domain, _FIRST_POINTS, precisions).counterexample is not None
     return False
@@ -115,7 +116,7 @@ def are_seen_to_differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
 
 def find_violation(relation: sp.Basic, domain: Domain) -> Evidence | None:
     """Return a point at which the relation is certainly false, if one is found."""
-    # Over long ways integrals take long.
+    # Integrals over long intervals take long.
     is_thorough = not has_parts(relation, sp.Integral)
     for point in points_for((relation,), domain, POINTS, thorough=is_thorough):
         if balls.truth(put_exactly(relation, point), point, 256) is False:
@@ -267,13 +268,13 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
         or has_steps
     }
-    # SymPy would multiply imaginary roots to a real number; over the reals there is no value.
+    # SymPy would multiply two imaginary roots to a real number; over the reals they have no value.
     if exact and _leaves_the_reals(expression, point):
         return sp.nan
     return _write_out_at(expression, tuple(exact.items()))
 
 
-# Many points share their counts; what is written out once is also compiled once.
+# Many points share their counts, and what is written out once is also compiled once.
 @lru_cache(maxsize=256)
 def _write_out_at(expression: sp.Basic, exact: tuple[tuple[sp.Basic, sp.Basic], ...]) -> sp.Basic:
     return write_out(substitute(expression, dict(exact)))

@@ -37,9 +37,9 @@ from mechproof.record.parts import find_parts, find_roots, has_parts, replace_pa
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
 
-# Work limit: powers and multiples of angles beyond are not multiplied out.
+# Work limit: larger powers and multiples of angles are not multiplied out.
 MOST_MULTIPLIED = 100
-# Work limit: an expression of more operations is not factored.
+# Work limit: operations of an expression that is factored.
 _MOST_FACTORED = 60
 
 
@@ -49,7 +49,7 @@ def is_workable(expression: sp.Basic) -> bool:
     return all(abs(power) <= MOST_MULTIPLIED for power in powers)
 
 
-# Rows of a paper share their radicals and divisors, whose signs are what a proof takes longest for.
+# The rows of a paper share radicals and divisors, whose signs take most of the time of a proof.
 @lru_cache(maxsize=4096)
 def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of the expression on the domain, or None if it is not shown."""
@@ -71,7 +71,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 
 def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Let square roots of what is positive be positive numbers."""
+    """Return the sign with square roots of positive numbers replaced by positive variables."""
     roots = sorted({root.base for root in find_roots(expression)}, key=sp.default_sort_key)
     known = [base for base in roots if base.free_symbols and is_positive(base, domain)]
     if not known:
@@ -82,7 +82,7 @@ def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | N
 
 
 def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Let the cosines, where no sine is left, be numbers up to one of which no more is known."""
+    """Return the sign with cosines as numbers in [-1, 1], where no sine is left."""
     if not expression.has(sp.sin, sp.cos) or expression.has(ExprWithLimits):
         return None
     if not is_workable(expression):
@@ -248,7 +248,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
     coordinates = _change_coordinates(expression, domain)
     expression = name_positive(expression, coordinates)
     changed = free_tangents(expression)
-    # Gaps are chained, as in R3 < R2 < R1: what is put in may hold letters that are replaced.
+    # Gaps are chained, as in R3 < R2 < R1, so replacements may contain letters to be replaced.
     for _ in range(3):
         changed = replace_parts(changed, coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
@@ -304,7 +304,8 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
             continue
         bound, way, where = letter - slack.value / rate, sp.sign(rate), domain.set_of(letter)
         near, far = (where.inf, where.sup) if way == 1 else (where.sup, where.inf)
-        # A letter with an end there keeps the coordinate that says so: a gap has none.
+        # A letter that is bounded on that side keeps its own coordinate: a gap would lose the
+        # bound.
         if bound.has(letter) or far != way * sp.oo:
             continue
         # Without the relations, which would ask for this sign again.
@@ -323,7 +324,7 @@ def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
 
 
 def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
-    """Half-angle tangents miss the half turn: a limit keeps the sign there, but may be zero."""
+    """Return the sign by half-angle tangents; they miss the half turn, where it may be zero."""
     sign = sign_of_quotient(write_by_half_angles(expression), coordinates)
     if sign is None or not sign.strict:
         return sign

@@ -28,7 +28,7 @@ from mechproof.statement_domains.domain import Domain
 
 BISECTION = "bisection and derivatives"
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
-# Work limits: 2**7 parts, and zeros at an end of an order up to 5.
+# Work limits: 2**7 parts of the interval, and zeros at its ends of order up to 5.
 _HALVINGS = 7
 _ORDERS = 5
 _BITS = 128
@@ -54,7 +54,7 @@ def holds_on_interval(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _is_smooth(expression: sp.Expr) -> bool:
-    """Only functions whose balls are finite exactly where they are continuous."""
+    """Tell whether the balls of all functions are finite exactly where these are continuous."""
     powers = expression.atoms(sp.Pow)
     functions = expression.atoms(sp.Function)
     return (
@@ -98,7 +98,7 @@ def _is_positive(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
     ball = _enclose(f, ends)
     if ball > 0:
         return True
-    # Where an end is not positive no halving helps: it stays an end.
+    # Cutting the interval does not help where the value at an end is not positive.
     if halvings == 0 or any(_enclose(f, (end, end)) <= 0 for end in ends):
         return False
     return all(_is_positive(f, half, halvings - 1) for half in _halve(ends))
@@ -125,7 +125,7 @@ def _halve(ends: Ends) -> Iterator[Ends]:
 
 NEAR_ZERO = "Taylor series with its remainder in balls"
 BITS = 256
-# The remainder is enclosed on so many parts of the range.
+# Parts of the range on which the remainder is enclosed separately.
 PARTS = 64
 
 
@@ -175,7 +175,7 @@ def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
             middle = balls.to_ball(reach * sp.Rational(2 * part + 1 - PARTS, PARTS))
             place = arb_series([middle + half * arb(0, 1), 1])
             terms = list_terms(expression.expand(place))
-            # What is not finite is in no order with numbers.
+            # NaN, as infinite balls cannot be compared with numbers.
             if not all(term.is_finite() for term in terms):
                 return NAN
             sizes.append(terms[ORDER].abs_upper())

@@ -39,7 +39,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import Facts, describe_excess, facts_of, find_excess
 
 Side = tuple[str, sp.Basic]
-# The names of the sides of statements, that of a print first.
+# The fields that hold the sides of a statement, the printed one first.
 _SIDES: Mapping[type, tuple[str, ...]] = {
     Equality: ("printed", "rebuilt"),
     Distinct: ("left", "right"),

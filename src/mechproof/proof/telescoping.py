@@ -24,10 +24,10 @@ from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare
 
-# Work limits: factorials in a term, and coefficients of a polynomial beside those of a factor.
+# Work limits: factorials in a term, and coefficients of P beyond the degree of the factor.
 _MOST_FACTORIALS = 6
 _MOST_UNKNOWN = 4
-# Work limit: the first number at which a term is not zero.
+# Work limit: terms before this index may all be zero.
 _LATEST = 4
 RUNG = "Wilf-Zeilberger pair"
 
@@ -67,7 +67,7 @@ def _read(difference: sp.Expr) -> _Claim | None:
     if scale == 0 or scale.has(index, n) or not is_analytic(scale):
         return None
     value = sp.expand(-(difference - scale * named) / scale)
-    # First terms that are zero would be poles where the terms are divided by them.
+    # Leading zero terms are skipped: terms are divided by each other.
     numbers = range(int(first), _LATEST)
     begin = next((k for k in numbers if total.function.subs(index, k) != 0), _LATEST)
     sign = {"positive": True} if begin else {"nonnegative": True}
@@ -110,7 +110,7 @@ def _has_value(claim: _Claim, domain: Domain) -> bool:
     found = change and growth and _solve(change, growth, _find_polynomial(term, k), k)
     if not found:
         return False
-    # The sum is multiplied by its rate; what the terms are beyond that telescopes.
+    # The sum grows by the factor `rate`; the rest of the change has to telescope.
     rate, part = found
     step = change - rate
     if not all(_has_no_pole(f, claim, start, domain) for f in (part, step, rate)):
@@ -146,7 +146,7 @@ def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
     written = sp.combsimp(sp.powsimp(quotient))
     written = sp.cancel(sp.together(split_powers(prepare(written))))
     is_fraction = written.is_rational_function(*written.free_symbols)
-    # What stands for a power would not follow a step of its exponent.
+    # A new symbol for a power would not change when its exponent takes a step.
     return written if is_fraction and written.free_symbols <= quotient.free_symbols else None
 
 
@@ -168,8 +168,7 @@ def _solve(
     count = _MOST_UNKNOWN + sp.degree(factor, k)
     rate, *unknown = sp.symbols(f"c:{count + 1}", cls=sp.Dummy)
     form *= sp.Add(*(c * k**power for power, c in enumerate(unknown)))
-    # The unknowns stand in the identity linearly: its numerator gives one equation for each power
-    # of k.
+    # The identity is linear in the unknowns: each power of k in its numerator gives one equation.
     left = sp.numer(sp.together(form.subs(k, k + 1) * growth - form - change + rate))
     found = next(iter(sp.linsolve(sp.Poly(left, k).coeffs(), [rate, *unknown])), None)
     if found is None:

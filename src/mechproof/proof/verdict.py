@@ -31,7 +31,7 @@ class Verdict(StrEnum):
     UNDECIDED = "UNDECIDED"
 
 
-# What no rung decides.
+# Verdicts of rows that no rung proves or refutes.
 OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 

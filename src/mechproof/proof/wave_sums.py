@@ -29,7 +29,7 @@ from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "angles that rise by the same step"
-# Work limits: first numbers that are looked at one by one, and operations of a term.
+# Work limits: first numbers that are checked one by one, and operations of a term.
 _MOST_ALONE = 4
 _LARGEST = 40
 
@@ -67,7 +67,7 @@ def _list_counts(total: sp.Sum | sp.Product) -> set[sp.Symbol]:
 def _holds_at(
     point: Mapping[sp.Basic, sp.Expr], sides: Sides, domain: Domain, prove: Prove
 ) -> bool:
-    """Tell whether the sides are equal for one number, which the domain may exclude."""
+    """Tell whether the sides are equal for one number, even if the domain excludes it."""
     *parts, fixed = put_in(sides, domain, point)
     return sp.false in fixed.where or bool(prove(*map(write_out, parts), fixed))
 
@@ -150,7 +150,7 @@ class _Wave(NamedTuple):
 
 
 class _Value(NamedTuple):
-    """What such a series is between an angle of zero and an end, also there or not."""
+    """The value of a series for angles between zero and an end, both excluded if it is open."""
 
     value: sp.Expr
     end: sp.Expr
@@ -171,7 +171,7 @@ SERIES: Mapping[_Wave, _Value] = {
 
 _R = sp.Dummy("r", real=True)
 _CIRCLE = 1 - 2 * _R * sp.cos(_U) + _R**2
-# With r**m, for r**2 < 1; divided by a power of m, from m = 1 on.
+# Sums of waves of m*u times r**m, r**2 < 1; with the power 1, divided by m, from m = 1 on.
 POWERS: Mapping[_Wave, sp.Expr] = {
     _Wave(sp.cos, False, 0): (_R * sp.cos(_U) - _R**2) / _CIRCLE,
     _Wave(sp.sin, False, 0): _R * sp.sin(_U) / _CIRCLE,

@@ -37,9 +37,9 @@ from mechproof.statement_domains.dimension_inference import (
 )
 from mechproof.statement_domains.domain import Domain
 
-# The rung of terms of unlike dimension.
+# Name of the rung that finds terms of different dimensions added or compared.
 DIMENSIONS = "dimensions"
-# As from metres to millimetres.
+# Factor by which units are changed, as from metres to millimetres.
 UNIT_CHANGE = 1000
 UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
 POINTS = 2
@@ -150,7 +150,7 @@ def _other_side(statement: Statement) -> sp.Basic:
 
 
 def _dimension(expression: sp.Basic, known: Dimensions) -> Dimension:
-    """Return that of a number for a side that mixes dimensions itself."""
+    """Return the dimension of a side, that of a number if the side mixes dimensions."""
     with suppress(DimensionError):
         return infer(expression, known) or NUMBER
     return NUMBER

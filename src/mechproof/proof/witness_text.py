@@ -11,9 +11,9 @@ from mechproof.proof.verdict import Evidence
 from mechproof.statement_domains.dimension_inference import DimensionError, infer_common, is_angle
 from mechproof.statement_domains.domain import Domain, Point, sizes_of
 
-# Characters of an expression that a reason names.
+# Longest expression, in characters, that a reason quotes.
 LONGEST = 240
-# Decimals of a fraction that is written as a decimal number.
+# Most decimals of a fraction that is written as a decimal number.
 _MOST_DECIMALS = 6
 _DIGITS = (6, 9, 12, 16, 24, 48)
 # How SymPy writes a bound variable of ours, `x_`.
@@ -44,7 +44,7 @@ def describe(
 
 
 def _tell_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
-    """Tell the dimension that both sides have; of what has none, or two, nothing."""
+    """Return the name of the dimension that both sides share, empty if they have none or two."""
     if is_angle(sides, domain.dimensions):
         return "angle"
     try:
