@@ -32,6 +32,7 @@ from mechproof.programs.program import NOTHING, KernelCode, Stage
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.step_names import PUBLIC_IN_MODULES, is_free, share_subexpressions
 from mechproof.record import Argument, Form, Paper, Quantity
+from mechproof.record.memory import remember_last
 
 
 @dataclass(frozen=True)
@@ -62,11 +63,6 @@ class Kernel:
         return not self.is_shipped and not any(map(any, said))
 
 
-# The functions of the papers last asked for; a list, as records with mappings have no hash.
-_built: list[tuple[Paper, Functions]] = []
-MOST_BUILT = 8
-
-
 @dataclass(frozen=True)
 class Functions:
     """The kernels of a paper, and by its name why a quantity has none and what mends that."""
@@ -86,11 +82,9 @@ def list_functions(paper: Paper) -> tuple[Kernel, ...]:
     return functions.kernels
 
 
+@remember_last(8)
 def build_functions(paper: Paper) -> Functions:
     """Build the kernel of every quantity that can have one, each followed by its rivals."""
-    for known, functions in _built:
-        if known is paper:
-            return functions
     kernels: list[Kernel] = []
     refused: dict[str, str] = {}
     for quantity in paper.quantities:
@@ -101,9 +95,7 @@ def build_functions(paper: Paper) -> Functions:
                 f"quantity {quantity.name}: {error}; known are powers, Piecewise, Max, Min, "
                 f"{KNOWN}: write its forms by these, or leave them out for no kernel of it"
             )
-    functions = Functions(tuple(kernels), refused)
-    _built[:] = [*_built[1 - MOST_BUILT :], (paper, functions)]
-    return functions
+    return Functions(tuple(kernels), refused)
 
 
 def _build(quantity: Quantity, paper: Paper) -> list[Kernel]:

@@ -16,29 +16,23 @@ import sympy as sp
 from mechproof.arithmetic.polynomials import factor
 from mechproof.programs.evaluation import KeepsShape, trace_inputs
 from mechproof.record import Accuracy, Form, Paper, Quantity, Scale
+from mechproof.record.memory import remember_last
 from mechproof.record.parts import differentiate as differentiate_part, find_free, find_parts
 
 Given = Mapping[sp.Symbol, sp.Expr]
 # Stand for the sine and the cosine of an angle.
 _S, _C = sp.symbols("S C", real=True)
 CONDITIONING = Scale("its conditioning", sp.S.One)
-# The papers last differentiated; a list, as records with mappings have no hash.
-_known: list[tuple[Paper, Paper]] = []
-MOST_KNOWN = 8
 
 
+@remember_last(8)
 def differentiate(paper: Paper) -> Paper:
     """Return the paper whose quantities are the derivatives of those that are scalar and wanted.
 
     Each has the name of the quantity, and one entry for each argument, in their order.
     """
-    for known, derived in _known:
-        if known is paper:
-            return derived
     quantities = tuple(_differentiate(quantity, paper) for quantity in select_wanted(paper))
-    derived = replace(paper, rows=(), findings=(), one_pass=(), quantities=quantities)
-    _known[:] = [*_known[1 - MOST_KNOWN :], (paper, derived)]
-    return derived
+    return replace(paper, rows=(), findings=(), one_pass=(), quantities=quantities)
 
 
 def select_wanted(paper: Paper) -> tuple[Quantity, ...]:

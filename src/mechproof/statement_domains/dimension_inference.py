@@ -19,6 +19,7 @@ from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.record import ANGLE, NUMBER, Dimension, Paper, RecordError, ValueWhere, family_of
 from mechproof.record.implicit import Implicit
+from mechproof.record.memory import remember_last
 
 Dimensions = Mapping[sp.Basic, Dimension]
 _OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
@@ -36,6 +37,7 @@ class _OfPaper(dict[sp.Basic, Dimension]):
         self.inferred: dict[sp.Basic, Dimension | None] = {}
 
 
+@remember_last(8)
 def dimensions_of(paper: Paper) -> Dimensions:
     """Return the dimension of every symbol of the paper."""
     known = {variable.symbol: variable.dimension for variable in paper.variables}

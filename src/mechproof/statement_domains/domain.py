@@ -17,6 +17,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.record import NUMBER, Dimension, Paper, Part, PublishedSizes, RecordError, Toleranced
+from mechproof.record.memory import remember_last
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import resolve
 from mechproof.statement_domains.dimension_inference import dimensions_of
@@ -75,6 +76,7 @@ class Domain:
         return hash((frozenset(self.within), self.where, frozenset(self.given)))
 
     @classmethod
+    @remember_last(64)
     def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
         """Build the domain of a paper, set anew by a part and narrowed to what lies `inside`.
 
@@ -222,8 +224,7 @@ class Domain:
         return names, tied
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
-        tries = count * (_TRIES_PER_POINT if self.where else 1)
-        for step in range(1, tries + 1):
+        for step in range(1, 1 + count * (_TRIES_PER_POINT if self.where else 1)):
             yield {
                 symbol: place(self.set_of(symbol), radical_inverse(step, sp.prime(k)), step)
                 for k, symbol in enumerate(ordered, start=1)
