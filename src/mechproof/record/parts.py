@@ -18,6 +18,8 @@ CIRCULAR = (*TURNING, sp.cot, sp.sec, sp.csc)
 ARCS = (sp.asin, sp.acos, sp.atan)
 ANGLES = (*ARCS, sp.atan2)
 ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
+# Functions that are differentiated by the chain rule.
+_PLAIN = (*CIRCULAR, *ANGLES, sp.exp, sp.log)
 
 
 # Statements are taken one after another, so that few expressions are in use at once.
@@ -114,4 +116,7 @@ def differentiate(node: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         return sp.Add(*(sp.Mul(*factors) for factors in terms))
     if node.is_Pow and node.exp.is_Rational:
         return node * (differentiate(node.base, symbol) * node.exp / node.base)
+    if isinstance(node, _PLAIN):
+        inner = ((n, differentiate(part, symbol)) for n, part in enumerate(node.args, start=1))
+        return sp.Add(*(node.fdiff(n) * slope for n, slope in inner if slope))
     return sp.diff(node, symbol)
