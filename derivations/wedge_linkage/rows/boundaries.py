@@ -8,6 +8,7 @@ import sympy as sp
 from sympy import Rational, pi, sqrt
 
 from mechproof.record import *
+from mechproof.record.memory import remember_last
 
 from ..mechanics import *
 from .sizes import SETS, Signs, limits
@@ -78,6 +79,7 @@ def deviations_round(
     return all_of(*rounded(printed, deviations))
 
 
+@remember_last(len(SETS))
 def angles_in_range(table: PublishedSizes) -> Conjunction:
     """State between which directions DE, KL and LM stay, all sizes within limits, to -40 mm.
 
