@@ -45,7 +45,7 @@ def test_it_is_said_how_the_kernels_are_imported(place: Path) -> None:
     done = run("regenerate", "--derivations", str(place))
     assert done.exit_code == 0
     told, line = done.output.splitlines()[-1].split(": ")
-    assert told == f"in Python started in {place.parent}"
+    assert told == f"in Python, started in {place.parent}"
     asked = [sys.executable, "-c", f"{line}; print(functions.secant(0.0))"]
     shown = subprocess.run(asked, cwd=place.parent, capture_output=True, text=True, check=False)
     assert shown.stdout == "1.0\n", shown.stderr

@@ -119,7 +119,7 @@ def test_a_draft_says_which_equations_show_no_letters(tmp_path: Path) -> None:
         (["x=x", "y=y"], "alone"),
         (["--draft", "x=x"], "--draft needs a paper"),
         (["--fail-on", "wrong", "x=x"], "--fail-on wrong"),
-        (["x=x", "--json", "paper.tex"], "is a paper by its name"),
+        (["x=x", "--json", "paper.tex"], "has the name of a paper"),
     ],
 )
 def test_bad_usage(arguments: list[str], reason: str) -> None:

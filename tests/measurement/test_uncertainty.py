@@ -246,7 +246,7 @@ BAD_CALLS = [
     (
         lambda: evaluate_type_a([1.0]),
         ValueError,
-        r"= \[1.0\]: .*at least two, not shape \(1,\)",
+        r"= \[1.0\]: .*at least two readings, not shape \(1,\)",
     ),
     (lambda: evaluate_type_a(1.0), ValueError, r"readings = 1.0: .*not shape \(\)"),
     (lambda: evaluate_type_a(np.ones((2, 2))), ValueError, r"must be one-dimensional .*\(2, 2\)"),
