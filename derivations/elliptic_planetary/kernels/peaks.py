@@ -4,6 +4,7 @@ import sympy as sp
 
 from mechproof.record import *
 
+from ..._algebra import EPS
 from ..._eccentric import by_half_angle, directly, jerk_quotient, jerk_scale
 from ..mechanics import *
 from ..rows import peaks
@@ -23,7 +24,7 @@ EITHER_TERM = jerk_scale(2 * e * k**3 * (1 - e**2), e, x, motion.EPS_X)
 # Next to the threshold half a turn is left with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
-    peaks.ANGLE_OF_JERK + 1 / (k * sp.sqrt(sp.Max(sp.Abs(10 * e - square), motion.EPS))),
+    peaks.ANGLE_OF_JERK + 1 / (k * sp.sqrt(sp.Max(sp.Abs(10 * e - square), EPS))),
 )
 OF_SIZES = f"extremes of the derivatives of {motion.SOURCE}, equation (8)"
 
