@@ -298,8 +298,8 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
         "was not shown to be continuous in x over the domain",
     ),
     "inequality": (
-        ge(floor(p**2), floor(p) ** 2),
-        "the sign of -floor(p)**2 + floor(p**2) is not shown",
+        ge(sqrt(floor(p)), floor(sqrt(p))),
+        "the sign of -floor(sqrt(p)) + sqrt(floor(p)) is not shown",
     ),
 }
 
