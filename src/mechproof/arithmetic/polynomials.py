@@ -8,7 +8,7 @@ SymPy's expressions go to flint's sparse polynomials over the rationals, and bac
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache, reduce
 from math import gcd, lcm
 from operator import add, mul
@@ -19,7 +19,7 @@ from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.core.mul import _keep_coeff as keep_coefficient
 from sympy.polys.polyutils import _sort_gens as sort_generators
 
-from mechproof.record.parts import find_free, find_parts
+from mechproof.record.parts import find_free, find_parts, replace_parts
 
 
 def reduce_polynomial(polynomial: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> sp.Expr:
@@ -157,24 +157,47 @@ def _take_content(value: fmpq_mpoly) -> tuple[sp.Rational, fmpq_mpoly]:
 
 def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return numerator and denominator over the least common one; roots stay as they are."""
-    if quotient.has(sp.pi):
-        # SymPy cancels factors beside pi that the ring would keep, such as tangents times cosines.
-        return _split_by_sympy(quotient)
-    roots = {p: sp.Dummy("root") for p in quotient.atoms(sp.Pow) if p.exp == sp.S.Half}
-    named = quotient.xreplace(roots | {p**-1: r**-1 for p, r in roots.items()})
-    ring = _Ring(named)
-    try:
-        parts = ring.read_quotient(named)
-    except sp.PolynomialError:
-        return _split_by_sympy(quotient)
-    back = {r: p for p, r in roots.items()}
-    above, below = (ring.write(part).xreplace(back) for part in parts)
-    return above, below
-
-
-def _split_by_sympy(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    if parts := read_parts(quotient):
+        return parts[0].write(), parts[1].write()
     above, below = sp.fraction(sp.together(quotient))
     return above, below
+
+
+class Polynomial:
+    """A polynomial in letters and in names for square roots, its variables in their order."""
+
+    def __init__(self, ring: _Ring, value: fmpq_mpoly, roots: Mapping[sp.Symbol, sp.Pow]) -> None:
+        self.variables, self.roots = ring.symbols, roots
+        self._ring, self._value = ring, value
+
+    def list_terms(self) -> list[tuple[tuple[int, ...], fmpq]]:
+        """List the powers of the variables and the number of each term."""
+        count = len(self.variables)
+        return [(powers[:count], number) for powers, number in self._value.to_dict().items()]
+
+    def evaluate(self, point: Sequence[sp.Rational]) -> fmpq:
+        """Return the value at a point of as many numbers as there are variables."""
+        return self._value(*(fmpq(int(number.p), int(number.q)) for number in point))
+
+    def write(self) -> sp.Expr:
+        """Return it as an expression."""
+        return self._ring.write(self._value).xreplace(self.roots)
+
+
+def read_parts(quotient: sp.Expr) -> tuple[Polynomial, Polynomial] | None:
+    """Return numerator and denominator over the least common one, None for other quotients."""
+    if quotient.has(sp.pi):
+        # SymPy cancels factors beside pi that the ring would keep, such as tangents times cosines.
+        return None
+    roots = {p: sp.Dummy("root") for p in find_parts(quotient, sp.Pow) if p.exp == sp.S.Half}
+    named = replace_parts(quotient, roots | {p**-1: r**-1 for p, r in roots.items()})
+    ring = _Ring(named)
+    try:
+        above, below = ring.read_quotient(named)
+    except sp.PolynomialError:
+        return None
+    back = {r: p for p, r in roots.items()}
+    return Polynomial(ring, above, back), Polynomial(ring, below, back)
 
 
 class _Ring:

@@ -8,12 +8,13 @@ complete procedures for several variables, as the cylindrical algebraic decompos
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.arithmetic.polynomials import expand, factor_list, split
+from mechproof.arithmetic.polynomials import Polynomial, expand, factor_list, read_parts, split
 from mechproof.proof.coordinates import Coordinates
 
 # Points at which a polynomial is tried, and the sizes of their coordinates.
@@ -39,18 +40,47 @@ class StrictSign:
 
 def sign_of_number(number: sp.Expr) -> StrictSign | None:
     """Return the sign of a number, None where its ball holds zero."""
-    if number == 0:
-        return StrictSign(1, False)
+    if number.is_Rational:
+        return StrictSign(-1 if number < 0 else 1, bool(number))
     ball = balls.evaluate(number, {}, 256)
     return StrictSign(1, True) if ball > 0 else StrictSign(-1, True) if ball < 0 else None
 
 
 def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     """Return the sign of a quotient whose divisor is proved not to be zero."""
-    numerator, denominator = split(expression)
-    top = _sign_of_factors(numerator, coordinates)
-    bottom = _sign_of_factors(denominator, coordinates)
+    parts = read_parts(expression)
+    if parts and all(map(_has_plain_roots, parts)):
+        signs = (_sign_of_read(part, coordinates) for part in parts)
+    else:
+        signs = (_sign_of_factors(part, coordinates) for part in split(expression))
+    top = next(signs)
+    bottom = next(signs) if top else None
     return top.times(bottom) if top and bottom and bottom.strict else None
+
+
+def _has_plain_roots(polynomial: Polynomial) -> bool:
+    roots = polynomial.roots.values()
+    return all(root.free_symbols and not root.has(sp.Function) for root in roots)
+
+
+def _sign_of_read(polynomial: Polynomial, coordinates: Coordinates) -> StrictSign | None:
+    """Return the sign, that of its factors if its monomials have not all one.
+
+    The factors are not looked for where it is of both signs.
+    """
+    nonnegative = coordinates.nonnegative | polynomial.roots.keys()
+    known = replace(coordinates, nonnegative=nonnegative)
+    terms = polynomial.list_terms()
+    if not terms:
+        return StrictSign(1, False)
+    signed = ((powers, StrictSign(1 if number > 0 else -1, True)) for powers, number in terms)
+    if sign := _sign_of_terms(polynomial.variables, signed, known):
+        return sign
+    points = _list_points(polynomial.variables, known.half_lines)
+    values = [polynomial.evaluate(point) for point in points]
+    if min(values) < 0 < max(values):
+        return None
+    return _sign_of_factors(polynomial.write(), coordinates)
 
 
 def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
@@ -99,17 +129,25 @@ def _sign_of_polynomial(factor: sp.Expr, coordinates: Coordinates) -> StrictSign
         return sign_of_number(factor)
     symbols = sorted(factor.free_symbols, key=str)
     polynomial = sp.Poly(factor, *symbols)
+    signed = ((powers, sign_of_number(number)) for powers, number in polynomial.terms())
+    sign = _sign_of_terms(symbols, signed, coordinates)
+    return sign or _sign_of_mixed_terms(polynomial, coordinates)
+
+
+def _sign_of_terms(
+    variables: Sequence[sp.Basic],
+    terms: Iterable[tuple[tuple[int, ...], StrictSign | None]],
+    coordinates: Coordinates,
+) -> StrictSign | None:
+    """Return the sign that all terms have, told by their powers and the signs of their numbers."""
     directions, strict = set(), False
-    for powers, coefficient in polynomial.terms():
-        known = sign_of_number(coefficient)
-        shape = [_sign_of_power(*pair, coordinates) for pair in zip(symbols, powers, strict=True)]
+    for powers, known in terms:
+        shape = [_sign_of_power(*pair, coordinates) for pair in zip(variables, powers, strict=True)]
         if known is None or None in shape:
-            return _sign_of_mixed_terms(polynomial, coordinates)
+            return None
         directions.add(known.direction)
         strict = strict or all(shape)
-    if len(directions) > 1:
-        return _sign_of_mixed_terms(polynomial, coordinates)
-    return StrictSign(directions.pop(), strict)
+    return StrictSign(directions.pop(), strict) if len(directions) == 1 else None
 
 
 def _sign_of_power(symbol: sp.Basic, power: int, coordinates: Coordinates) -> bool | None:
@@ -152,14 +190,21 @@ def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bo
     Names that are functions of each other stand for all numbers here as in the proof.
     """
     symbols = sorted(expression.free_symbols, key=str)
-    for shift in range(TRIED):
-        signs = [1 if s in half_lines else (-1) ** (k + shift) for k, s in enumerate(symbols)]
-        sizes = [SIZES[(3 * k + shift) % len(SIZES)] for k in range(len(symbols))]
-        point = {s: sign * size for s, sign, size in zip(symbols, signs, sizes, strict=True)}
-        value = balls.evaluate(expression, point)
+    for point in _list_points(symbols, half_lines):
+        value = balls.evaluate(expression, dict(zip(symbols, point, strict=True)))
         if value.is_finite() and value < 0:
             return True
     return False
+
+
+def _list_points(
+    symbols: Sequence[sp.Basic], half_lines: set[sp.Basic]
+) -> Iterator[list[sp.Rational]]:
+    """Yield a few points, positive where the symbols run on half-lines."""
+    for shift in range(TRIED):
+        signs = [1 if s in half_lines else (-1) ** (k + shift) for k, s in enumerate(symbols)]
+        sizes = [SIZES[(3 * k + shift) % len(SIZES)] for k in range(len(symbols))]
+        yield [sign * size for sign, size in zip(signs, sizes, strict=True)]
 
 
 def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> StrictSign | None:
