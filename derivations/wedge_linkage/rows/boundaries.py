@@ -1,6 +1,6 @@
 """Boundary curves of the range of paper 4, by the printed chain, and which tolerances make them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from typing import TypeAlias
 
@@ -26,25 +26,35 @@ BOUNDARY_III = {size: -sign for size, sign in BOUNDARY_II.items()}
 BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
 
 
+# Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide. Evaluation is
+# switched here alone: each time SymPy forgets all that it has computed.
+with sp.evaluate(False):
+    TURNED = print_1.xreplace({Q: PRINTED_Q})
+    RUN = driven.xreplace({overlap: print_3 - l_GH})
+    DIRECTION = sp.atan2(sqrt(l_KL**2 - PRINTED_R**2), PRINTED_R)
+    WEDGE = print_10.xreplace({phi7: phi7 - alpha_KL})
+
+
+def put(formula: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Put values for letters and evaluate nothing."""
+    if formula in values or not formula.args:
+        return values.get(formula, formula)
+    return formula.func(*(put(part, values) for part in formula.args), evaluate=False)
+
+
 def angles_of(
     table: PublishedSizes, signs: Signs, displacement: Displacement
 ) -> tuple[sp.Expr, sp.Expr]:
     """Compose (1), (3), (4) and (7)/(8) at exact sizes: varphi3 and the direction of KL."""
     sizes = limits(table, signs)
-    # Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide.
-    with sp.evaluate(False):
-        turned = print_1.xreplace({Q: PRINTED_Q}).xreplace({**sizes, x1: Rational(displacement)})
-        run = driven.xreplace({overlap: print_3.xreplace({**sizes, phi3: turned}) - sizes[l_GH]})
-        offset = PRINTED_R.xreplace({**sizes, x5: run})
-        return turned, sp.atan2(sqrt(sizes[l_KL] ** 2 - offset**2), offset)
+    turned = put(TURNED, {**sizes, x1: Rational(displacement)})
+    return turned, put(DIRECTION, {**sizes, x5: put(RUN, {**sizes, phi3: turned})})
 
 
 def position_of(table: PublishedSizes, signs: Signs, displacement: Displacement) -> sp.Expr:
     """Compose the chain with (10) at exact sizes: an exact number."""
-    sizes = limits(table, signs)
     _, direction = angles_of(table, signs, displacement)
-    with sp.evaluate(False):
-        return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
+    return put(WEDGE, {**limits(table, signs), phi7: direction})
 
 
 def upright_at(table: PublishedSizes) -> sp.Expr:
