@@ -5,6 +5,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from mechproof.record import *
+from mechproof.record.parts import differentiate
 
 from ..._algebra import EPS
 from ..._eccentric import by_half_angle, directly, on_branch
@@ -94,7 +95,8 @@ def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
         return all_of(
             Equality(form.subs(x, 0), (1 + k) * phi1),
             Equality(
-                sp.diff(position_closed, x) - sp.diff(form, x), remainder(e**terms, terms * x)
+                differentiate(position_closed, x) - differentiate(form, x),
+                remainder(e**terms, terms * x),
             ),
             *STEP_OF_SERIES,
         )

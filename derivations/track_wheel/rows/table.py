@@ -3,6 +3,7 @@
 import sympy as sp
 
 from mechproof.record import *
+from mechproof.record.parts import differentiate
 
 from ..mechanics import *
 
@@ -168,8 +169,9 @@ def share_of(error: sp.Symbol) -> sp.Expr:
 def radius_of_curvature(count: int, phase: sp.Expr) -> sp.Expr:
     """Radius of curvature, in mm, of the track with so many periods, as a size."""
     x, y = (c.subs({**PRINTED_VALUES, periods: count}) for c in PRINTED_16[:2])
-    at = phase / count
-    (dx, dy), (ddx, ddy) = ([c.diff(phi, order).subs(phi, at) for c in (x, y)] for order in (1, 2))
+    first = [differentiate(c, phi) for c in (x, y)]
+    second = [differentiate(c, phi) for c in first]
+    dx, dy, ddx, ddy = (c.subs(phi, phase / count) for c in (*first, *second))
     return sp.Abs(sp.sqrt(dx**2 + dy**2) ** 3 / (dx * ddy - dy * ddx))
 
 

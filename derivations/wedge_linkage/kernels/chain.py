@@ -13,6 +13,7 @@ import sympy as sp
 from sympy import Max, Piecewise, cos, sin, sqrt
 
 from mechproof.record import LENGTH, Variable
+from mechproof.record.parts import differentiate
 
 from ..mechanics import *
 
@@ -79,11 +80,11 @@ def step_slopes(size: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
     """Return the derivatives of the steps of the chain in contact: the proved stage slopes."""
     by_size = {phi3: MEANT.lever, phi7: MEANT.roller, reach: extended}
     turned = lever_slopes.get(size, sp.S.Zero).subs(by_size)
-    moved = (sp.diff(print_3, size) + sp.diff(print_3, phi3) * turned).subs(by_size)
-    pushed = moved - sp.diff(l_GH, size)
+    moved = (differentiate(print_3, size) + differentiate(print_3, phi3) * turned).subs(by_size)
+    pushed = moved - differentiate(l_GH, size)
     own = roller_slopes.get(size, sp.S.Zero)
     return {
-        extended: sp.diff(radicand, size) / (2 * extended),
+        extended: differentiate(radicand, size) / (2 * extended),
         MEANT.lever: turned,
         MEANT.travel: moved,
         MEANT.roller: (own + roller_slopes[x5] * pushed).subs(by_size),
@@ -92,8 +93,8 @@ def step_slopes(size: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
 
 def chain_slope(expression: sp.Expr, size: sp.Symbol) -> sp.Expr:
     """Return the derivative of an expression of the steps by a size or by x1."""
-    through = (sp.diff(expression, step) * slope for step, slope in step_slopes(size).items())
-    return sp.Add(sp.diff(expression, size), *through)
+    through = (differentiate(expression, step) * slope for step, slope in step_slopes(size).items())
+    return sp.Add(differentiate(expression, size), *through)
 
 
 POSITION = print_10.subs(phi7, MEANT.roller)
