@@ -106,7 +106,8 @@ def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
 def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -> list[Point]:
     ordered, roots = sorted(letters, key=str), []
     for point in islice(points_for((number,), domain, _SOLVED), _SOLVED):
-        for letter in ordered:
+        # Labels of families and their elements under a sum have no values to be solved for.
+        for letter in (letter for letter in ordered if letter in point):
             others = {s: value for s, value in point.items() if s != letter}
             equation = number.xreplace(others).as_poly(letter)
             if equation is None or equation.free_symbols_in_domain:
