@@ -6,6 +6,7 @@ Integrals of what is given by pieces: cut where a condition, a modulus or a floo
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import pairwise
 
 import sympy as sp
@@ -24,6 +25,8 @@ from mechproof.statement_domains.domain import Domain
 _MOST_ZEROS = 12
 
 
+# The rungs of a row ask it of the same integrals.
+@lru_cache(maxsize=256)
 def is_improper(integral: sp.Integral) -> bool:
     """Tell whether a limit is infinite, or the integrand has no value there or between them."""
     (variable, *limits), *others = integral.limits
