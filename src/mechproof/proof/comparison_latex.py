@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from itertools import islice
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -53,7 +53,7 @@ class _Letters:
             return formula
         spelt = resolve(formula, self.ours)
         most = max(_FEW, _MOST_MORE * _weigh(formula))
-        return formula if isinstance(spelt, BooleanAtom) or _weigh(spelt, most) > most else spelt
+        return formula if isinstance(spelt, BooleanAtom) or _weigh(spelt) > most else spelt
 
 
 def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
@@ -164,10 +164,11 @@ def _split_power(power: sp.Pow) -> sp.Expr:
     return factor**power.exp * rest**power.exp
 
 
-def _weigh(formula: sp.Basic, most: int | None = None) -> int:
-    """Count the parts of a formula, repeated ones again, up to one more than `most`."""
-    beyond = None if most is None else most + 1
-    return sum(1 for _ in islice(sp.preorder_traversal(formula), beyond))
+# Cached for each part: the parts of a formula are asked one after the other.
+@lru_cache(maxsize=1 << 14)
+def _weigh(formula: sp.Basic) -> int:
+    """Count the parts of a formula, repeated ones again."""
+    return 1 + sum(map(_weigh, formula.args))
 
 
 def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
@@ -187,10 +188,8 @@ def _find_numbers(formula: sp.Basic) -> Iterator[sp.Expr]:
 def _is_long_number(part: sp.Basic) -> bool:
     if not isinstance(part, sp.Expr) or find_free(part):
         return False
-    if isinstance(part, ExprWithLimits) or _is_long_fraction(part):
-        return True
-    whole = islice(sp.preorder_traversal(part), _LONGEST_NUMBER)
-    return sum(1 for _ in whole) == _LONGEST_NUMBER
+    is_long = isinstance(part, ExprWithLimits) or _is_long_fraction(part)
+    return is_long or _weigh(part) >= _LONGEST_NUMBER
 
 
 def _is_long_fraction(number: sp.Expr) -> bool:
