@@ -224,10 +224,11 @@ class Domain:
         return names, tied
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
+        spread = [(s, self.set_of(s), sp.prime(k)) for k, s in enumerate(ordered, start=1)]
         for step in range(1, 1 + count * (_TRIES_PER_POINT if self.where else 1)):
             yield {
-                symbol: place(self.set_of(symbol), radical_inverse(step, sp.prime(k)), step)
-                for k, symbol in enumerate(ordered, start=1)
+                symbol: place(values, radical_inverse(step, base), step)
+                for symbol, values, base in spread
             }
 
     def special_points(self, inside: Point, landmarks: Sequence[sp.Expr] = ()) -> list[Point]:

@@ -27,6 +27,9 @@ _SPECIAL = tuple(
 @lru_cache(maxsize=4096)
 def contains(where: sp.Set, value: sp.Expr) -> sp.Basic:
     """Return what SymPy says; the same special values are asked for at every point of every row."""
+    if isinstance(where, sp.Interval) and value.is_real:
+        # SymPy would put the number for a letter of such a relation.
+        return where.as_relational(value)
     return where.contains(value)
 
 
