@@ -272,8 +272,9 @@ def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
 
 def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
     """Return the declared value of a definition that is a declared symbol."""
-    for _ in paper.given:
-        definition = paper.given.get(definition, definition)
+    given = paper.given
+    for _ in given:
+        definition = given.get(definition, definition)
     return definition
 
 

@@ -52,7 +52,8 @@ class Opened:
         if task < len(self.rows):
             return (self.rows[task],)
         one = self.derivatives[task - len(self.rows)]
-        return derivative_rows(replace(self.paper, quantities=(one,), one_pass=()))
+        alone = replace(self.paper, rows=(), findings=(), quantities=(one,), one_pass=())
+        return derivative_rows(alone)
 
     def list_sources(self) -> tuple[object, ...]:
         """List what the rows of each task are stated from."""
