@@ -8,6 +8,7 @@ series and slopes alike: what a step does, a plan of the arithmetic says.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -41,8 +42,6 @@ class Layout:
     ) -> None:
         self.nodes: list[sp.Basic] = []
         self.operands: list[tuple[int, ...]] = []
-        # The symbols whose values each step needs.
-        self.needs: list[frozenset[sp.Basic]] = []
         self._steps: list[tuple[int, Operation, tuple[int, ...]]] = []
         self._settled: list[Any] = []
         self._slots: dict[sp.Basic, int] = {}
@@ -67,6 +66,18 @@ class Layout:
                 left.append((slot, operation, operands))
         self._steps = left
 
+    @cached_property
+    def needs(self) -> list[frozenset[sp.Basic]]:
+        """List the symbols whose values each step needs."""
+        found: list[frozenset[sp.Basic]] = []
+        for node, operands in zip(self.nodes, self.operands, strict=True):
+            if isinstance(node, sp.Symbol | sp.Indexed):
+                own = frozenset({node})
+            else:
+                own = frozenset(node.free_symbols if isinstance(node, self._whole) else ())
+            found.append(own.union(*(found[k] for k in operands)))
+        return found
+
     def _place(self, node: sp.Basic) -> int:
         # SymPy keeps equal parts apart; here they become one step, by their hash.
         if node not in self._slots:
@@ -75,16 +86,12 @@ class Layout:
         return self._slots[node]
 
     def _append(self, node: sp.Basic) -> int:
-        is_whole = isinstance(node, self._whole)
-        if is_whole:
+        if isinstance(node, self._whole):
             node = resolve(node, self._given)
         operation, arguments = self._plan(node)
         operands = tuple(map(self._place, arguments))
-        is_symbol = isinstance(node, sp.Symbol | sp.Indexed)
-        own = {node} if is_symbol else node.free_symbols if is_whole else ()
         self.nodes.append(node)
         self.operands.append(operands)
-        self.needs.append(frozenset(own).union(*(self.needs[k] for k in operands)))
         self._steps.append((len(self._settled), operation, operands))
         self._settled.append(None)
         return len(self.nodes) - 1

@@ -261,12 +261,16 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
     has_sums, has_steps = has_parts(expression, *_COUNTED), has_parts(expression, *_STEPS)
+    free = find_free(expression)
     exact = {
         s: v
         for s, v in point.items()
-        if not v.is_Rational
-        or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
-        or has_steps
+        if s in free
+        and (
+            not v.is_Rational
+            or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+            or has_steps
+        )
     }
     # SymPy would multiply two imaginary roots to a real number; over the reals they have no value.
     if exact and _leaves_the_reals(expression, point):
