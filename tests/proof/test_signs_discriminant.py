@@ -3,12 +3,14 @@
 import pytest
 import sympy as sp
 
-from mechproof.proof.polynomial_signs import StrictSign
+from mechproof.proof.coordinates import Coordinates
+from mechproof.proof.polynomial_signs import StrictSign, sign_of_quotient
 from mechproof.proof.signs import find_sign
 from mechproof.statement_domains.domain import Domain
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 e = sp.Symbol("e", real=True)
+u, v, w = sp.symbols("u v w", real=True)
 ECCENTRIC = {e: sp.Interval.Ropen(0, 1)}
 TWO_ANGLES = sp.cos(x) * sp.cos(y) - sp.sin(x) * sp.sin(y)
 
@@ -42,3 +44,21 @@ def test_a_quadratic_without_real_roots_has_a_sign(name):
 def test_a_wrong_neighbour_has_none(name):
     expression, within = UNKNOWN[name]
     assert find_sign(expression, Domain(within, (), {})) is None
+
+
+@pytest.mark.parametrize(
+    ("expression", "sign"),
+    [
+        ((sp.sqrt(u) + 1) / (u + v), StrictSign(1, True)),
+        (-sp.sqrt(u) / v, StrictSign(-1, False)),
+        (u**2 - u + 1, StrictSign(1, True)),
+        ((sp.sqrt(u) - 1) / (u + v), None),
+        (u / (v - 1), None),
+        (u + w, None),
+        (sp.sqrt(sp.sin(w)) + 1, None),
+        (u * 0, StrictSign(1, False)),
+    ],
+)
+def test_signs_of_terms_are_those_of_quotients(expression, sign):
+    coordinates = Coordinates({}, positive={v}, nonnegative={u})
+    assert sign_of_quotient(expression, coordinates) == sign
