@@ -35,8 +35,13 @@ def make_panel(size: int) -> tuple[Array, Array, Array]:
 
 
 def _scale_rule(length: float, count: int) -> tuple[Array, Array]:
-    nodes, weights = np.polynomial.legendre.leggauss(count)
+    nodes, weights = _find_legendre(count)
     return 0.5 * length * (1 + nodes), 0.5 * length * weights
+
+
+@cache
+def _find_legendre(count: int) -> tuple[Array, Array]:
+    return np.polynomial.legendre.leggauss(count)
 
 
 def _find_rule(length: float, count: int) -> tuple[Array, Array]:
