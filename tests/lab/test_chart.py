@@ -309,7 +309,8 @@ def test_records_of_the_folder_are_found_before_those_of_the_package(
     quick = Path("generated", "measured", "quick")
     write_record(replace(record, quantity="gear.angle"), tmp_path / quick)
     monkeypatch.chdir(tmp_path)
-    for names, drawn in ((["gear"], "gear.angle"), ([], "gear.angle"), (["ratio"], "oval_plan")):
+    others = "thickness_error"
+    for names, drawn in ((["gear"], "gear.angle"), ([], "gear.angle"), ([others], "tooth_thick")):
         done = CliRunner().invoke(app, ["chart", *names, "--out", f"charts of {names}"])
         assert done.exit_code == 0, done.output
         assert (f"records: {quick}" in done.output) == (drawn == "gear.angle")
