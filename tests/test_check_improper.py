@@ -292,8 +292,12 @@ DIVERGENT = [
 # Of what is not shown to be infinite, or to have no value, nothing is said.
 OPEN = [
     (r"\int_0^\infty\frac{\arctan ax-\arctan bx}xdx=\frac\pi2\ln\frac ab", ("a>0",)),
-    # Known integrals with letters for which they have no value, or another one.
-    (r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
+    # Known integrals with letters for which they have no value, or another one; the first takes as
+    # long as all of them.
+    pytest.param(
+        *(r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
+        marks=pytest.mark.thorough,
+    ),
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=\frac\pi{\sin\pi a}", ("0<a<2",)),
     (r"\int_0^{\pi/2}\ln(a\sin x)\,dx=\frac\pi2\ln\frac a2", ()),
     (r"\int_0^\infty\frac{\ln x}{a^2+x^2}dx=\frac{\pi\ln a}{2a}", ()),
