@@ -7,6 +7,7 @@ arithmetic is that of Moore (1966), one operation for many boxes.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
@@ -50,7 +51,7 @@ class Interval:
     def sign(self) -> int:
         """Return 1 if no number anywhere is negative, -1 if none is positive, 0 otherwise."""
         if self._sign is None:
-            self._sign = 1 if (self.low >= 0).all() else -1 if (self.high <= 0).all() else 0
+            self._sign = 1 if self.low.min() >= 0 else -1 if self.high.max() <= 0 else 0
         return self._sign
 
     @property
@@ -230,6 +231,8 @@ with working_precision(BITS):
 # Cached, because halved boxes share ends.
 @lru_cache(KEPT)
 def _enclose(function: Function, value: float) -> tuple[float, float]:
+    if not math.isfinite(value):
+        return math.nan, math.nan
     with working_precision(BITS):
         ball = function(arb(value))
         return float(ball.lower()), float(ball.upper())
@@ -237,10 +240,10 @@ def _enclose(function: Function, value: float) -> tuple[float, float]:
 
 def apply(function: Function, values: Ends) -> Interval:
     """Return a function at doubles."""
-    flat = np.atleast_1d(np.asarray(values, float)).ravel().tolist()
-    found = np.array([_enclose(function, v) if np.isfinite(v) else (np.nan, np.nan) for v in flat])
-    shape = np.shape(values)
-    return widen(found[:, 0].reshape(shape), found[:, 1].reshape(shape))
+    # Boxes that lie side by side share ends, too.
+    some, places = np.unique(values, return_inverse=True)
+    found = np.array([_enclose(function, value) for value in some.tolist()])
+    return widen(found[places, 0], found[places, 1])
 
 
 def _rise(function: Function, z: Interval) -> Interval:

@@ -180,7 +180,7 @@ class IntervalMonomial:
     @property
     def _is_zero(self) -> bool:
         """Say whether the monomial is zero, whatever its powers are."""
-        return not (np.any(self.span.low) or np.any(self.span.high))
+        return not (self.span.low.any() or self.span.high.any())
 
     def __sub__(self, other: IntervalMonomial) -> IntervalMonomial:
         return self + -other
