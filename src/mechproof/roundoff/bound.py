@@ -171,7 +171,8 @@ class ErrorAnalysis:
             RoundedStep(step, self.variables.constant(exact), (None,), off.largest(), None, off)
         )
         self.computed[step.result] = exactly(double)
-        self._set_grid(step, find_grid_of_number(double))
+        if self._grids is not None:
+            self._grids[step.result] = find_grid_of_number(double)
         self.values[step.result] = self.variables.constant(exact.union(exactly(double)))
 
     def _look_up(self, step: Step, monomial: IntervalMonomial) -> Ends:
@@ -197,6 +198,10 @@ class ErrorAnalysis:
     def _round(
         self, step: Step, exact: IntervalMonomial, slopes: Slopes, is_exact: Mask = False
     ) -> None:
+        if self._is_exact:
+            # Where nothing is rounded nobody asks between which doubles a rounding leads.
+            self._add(step, exact, slopes, np.float64(0.0), None, UNKNOWN)
+            return
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         if any(span is UNKNOWN for span in given):
             found = RoundedEndpoints(exact.expanded(), np.inf)
@@ -208,8 +213,10 @@ class ErrorAnalysis:
             found = RoundedEndpoints(within_one(found.span), 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
-        grid = find_grid(step.kind, [self._find_grid(o) for o in step.operands])
-        is_exact = is_exact | are_doubles(grid, found.span) | shifts(step.kind, given)
+        is_exact, grid = is_exact | shifts(step.kind, given), NO_GRID
+        if self._grids is not None:
+            grid = find_grid(step.kind, [self._find_grid(o, self._grids) for o in step.operands])
+            is_exact = is_exact | are_doubles(grid, found.span)
         relative = np.where(is_exact, 0.0, EPS * step.ulps)
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
@@ -224,19 +231,14 @@ class ErrorAnalysis:
             found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
         )
         self._add(step, exact, slopes, relative, limit, span)
-        if is_rounded and self.computed[step.result] is not UNKNOWN:
-            self._set_grid(step, np.maximum(grid, find_own_grid(span)))
+        if self._grids is not None and is_rounded and self.computed[step.result] is not UNKNOWN:
+            self._grids[step.result] = np.maximum(grid, find_own_grid(span))
 
-    def _find_grid(self, operand: Operand) -> Grid:
-        if self._grids is None:
-            return NO_GRID
+    @staticmethod
+    def _find_grid(operand: Operand, grids: Mapping[str, Grid]) -> Grid:
         if isinstance(operand, str):
-            return self._grids.get(operand, NO_GRID)
+            return grids.get(operand, NO_GRID)
         return find_grid_of_number(operand)
-
-    def _set_grid(self, step: Step, grid: Grid) -> None:
-        if self._grids is not None:
-            self._grids[step.result] = grid
 
     def _add(
         self,
