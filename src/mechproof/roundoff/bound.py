@@ -204,13 +204,13 @@ class ErrorAnalysis:
             return
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         if any(span is UNKNOWN for span in given):
-            found = RoundedEndpoints(exact.expanded(), np.inf)
+            found = RoundedEndpoints(exact.expanded(), lambda: np.inf)
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         if step.ulps <= HALF and step.kind in LIMITED:
             # Correctly rounded, a value of at most 1 stays so; a library that is off by more may
             # exceed it.
-            found = RoundedEndpoints(within_one(found.span), 0.0)
+            found = RoundedEndpoints(within_one(found.span), lambda: 0.0)
         limit = None
         is_rounded = step.kind != "approximate"
         is_exact, grid = is_exact | shifts(step.kind, given), NO_GRID

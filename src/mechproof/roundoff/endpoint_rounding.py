@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from types import MappingProxyType
 
 import numpy as np
@@ -75,46 +76,56 @@ def are_doubles(grid: Grid, results: Interval) -> Mask:
 
 @dataclass(frozen=True)
 class RoundedEndpoints:
-    """Rounded results, and how far an unrounded one may lie outside of both ends."""
+    """Rounded results; found when asked for, how far an unrounded one may be outside of both ends.
+
+    Only a power of two at an end makes anybody ask.
+    """
 
     span: Interval
-    beyond: Ends
+    find_beyond: Callable[[], Ends]
 
 
-def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> RoundedEndpoints:
-    span = Interval(low[0], high[0])
-    beyond = np.where(-low[0] > high[0], -low[1], high[1])
-    return RoundedEndpoints(
-        span, np.where(-low[0] == high[0], np.maximum(-low[1], high[1]), beyond)
-    )
+def _outward(span: Interval, find_rests: Callable[[], Sequence[Ends]]) -> RoundedEndpoints:
+    """Return rounded ends with what rounding took from them."""
+
+    def find_beyond() -> Ends:
+        below, above = find_rests()
+        beyond = np.where(-span.low > span.high, -below, above)
+        return np.where(-span.low == span.high, np.maximum(-below, above), beyond)
+
+    return RoundedEndpoints(span, find_beyond)
 
 
 def _add(a: Interval, b: Interval) -> RoundedEndpoints:
-    return _outward(add_exactly(a.low, b.low), add_exactly(a.high, b.high))
+    return _outward(
+        Interval(a.low + b.low, a.high + b.high),
+        lambda: (add_exactly(a.low, b.low)[1], add_exactly(a.high, b.high)[1]),
+    )
 
 
-def _corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]]:
-    """Return the smallest and the largest product, each of two ends."""
+def _multiply(a: Interval, b: Interval) -> RoundedEndpoints:
+    def find_rests() -> Sequence[Ends]:
+        corners = list_corners(a, b) or _choose_corners(a, b)
+        return [product_rest(x, y, x * y) for x, y in corners]
+
     if known := list_corners(a, b):
-        low, high = ((x * y, x, y) for x, y in known)
-        return _rest(*low), _rest(*high)
-    pairs = [(x, y) for x in (a.low, a.high) for y in (b.low, b.high)]
-    found = [(x * y, x, y) for x, y in pairs]
+        low, high = (x * y for x, y in known)
+    else:
+        products = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
+        low, high = reduce(np.minimum, products), reduce(np.maximum, products)
+    return _outward(Interval(low, high), find_rests)
+
+
+def _choose_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]]:
+    """Return the ends whose rounded products are the smallest and the largest, box by box."""
+    found = [(x * y, x, y) for x in (a.low, a.high) for y in (b.low, b.high)]
     low, high = found[0], found[0]
     for other in found[1:]:
         less, more = other[0] < low[0], other[0] > high[0]
         # `[()]` turns arrays without axes, as plain numbers give them, back into numbers.
         low = tuple(np.where(less, new, old)[()] for new, old in zip(other, low, strict=True))
         high = tuple(np.where(more, new, old)[()] for new, old in zip(other, high, strict=True))
-    return _rest(*low), _rest(*high)
-
-
-def _rest(product: Ends, x: Ends, y: Ends) -> tuple[Ends, Ends]:
-    return product, product_rest(x, y, product)
-
-
-def _multiply(a: Interval, b: Interval) -> RoundedEndpoints:
-    return _outward(*_corners(a, b))
+    return low[1:], high[1:]
 
 
 def _square(a: Interval) -> RoundedEndpoints:
@@ -127,18 +138,17 @@ def _fuse(a: Interval, b: Interval, c: Interval) -> RoundedEndpoints:
     corners = list_corners(a, b)
     if corners is None:
         nothing = np.full(np.shape(a.low + b.low + c.low), np.nan)
-        return RoundedEndpoints(Interval(nothing, nothing), np.inf)
-    low, high = (
-        _fused_rest(x, y, end) for (x, y), end in zip(corners, (c.low, c.high), strict=True)
-    )
-    return _outward(low, high)
+        return RoundedEndpoints(Interval(nothing, nothing), lambda: np.inf)
+    factors = [(*corner, end) for corner, end in zip(corners, (c.low, c.high), strict=True)]
+    low, high = (fma(*given) for given in factors)
+    return _outward(Interval(low, high), lambda: [_fused_rest(*given) for given in factors])
 
 
-def _fused_rest(x: Ends, y: Ends, end: Ends) -> tuple[Ends, Ends]:
-    """Return a fused product and, to a small share of itself, what rounding took from it."""
-    fused, (product, rest) = fma(x, y, end), _rest(x * y, x, y)
+def _fused_rest(x: Ends, y: Ends, end: Ends) -> Ends:
+    """Return, to a small share of itself, what rounding took from a fused product."""
+    product = x * y
     total, left = add_exactly(product, end)
-    return fused, (total - fused) + (left + rest)
+    return (total - fma(x, y, end)) + (left + product_rest(x, y, product))
 
 
 AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
@@ -148,18 +158,17 @@ AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
         "multiply": _multiply,
         "square": _square,
         "fma": _fuse,
-        "copy": lambda a: RoundedEndpoints(a, 0.0),
-        "negate": lambda a: RoundedEndpoints(-a, 0.0),
-        "absolute": lambda a: RoundedEndpoints(a.size(), 0.0),
+        "copy": lambda a: RoundedEndpoints(a, lambda: 0.0),
+        "negate": lambda a: RoundedEndpoints(-a, lambda: 0.0),
+        "absolute": lambda a: RoundedEndpoints(a.size(), lambda: 0.0),
     }
 )
 
 
 def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> RoundedEndpoints:
     """Enclose an operation's rounded results by those at the ends, and by an interval of it."""
-    plain = RoundedEndpoints(whole, np.inf)
     if kind not in AT_ENDPOINTS:
-        return plain
+        return RoundedEndpoints(whole, lambda: np.inf)
     found = AT_ENDPOINTS[kind](*given)
     known = found.span.is_finite
     for span in given:
@@ -168,16 +177,20 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
-    return RoundedEndpoints(Interval(low, high), np.where(narrow, found.beyond, np.inf))
+    return RoundedEndpoints(
+        Interval(low, high), lambda: np.where(narrow, found.find_beyond(), np.inf)
+    )
 
 
 def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
     """Bound a rounding by `ulps` spacings of doubles at the largest result."""
     largest = rounded.span.largest()
     share, exponent = np.frexp(largest)
-    # A power of two is a double: a result hardly beyond it is off by less than those below it are.
-    passed = (share == 0.5) & (rounded.beyond <= largest * HARDLY)
-    limit = ulps * np.ldexp(UNIT, np.where(passed, exponent - 1, exponent))
+    if np.any(is_power := share == 0.5):
+        # It is a double: a result hardly beyond it is off by less than those below it are.
+        passed = is_power & (rounded.find_beyond() <= largest * HARDLY)
+        exponent = np.where(passed, exponent - 1, exponent)
+    limit = ulps * np.ldexp(UNIT, exponent)
     return np.where(np.isfinite(largest), limit, np.inf)
 
 
