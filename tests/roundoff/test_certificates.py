@@ -15,12 +15,13 @@ from weights import first_of
 
 from mechproof.arithmetic.cover import WHOLE
 from mechproof.kernel_support.functions import small_arctan, tangent_quotient
-from mechproof.programs.kernel import input_names
+from mechproof.programs.kernel import input_names, list_functions
+from mechproof.record import Paper
 from mechproof.roundoff.certificate import (
     RoundingClaim,
     holds,
     is_shown,
-    list_digests,
+    list_stages,
     read_cuts,
     tell_bound,
     tell_place,
@@ -165,6 +166,10 @@ def test_a_left_out_assumption_is_refused() -> None:
 def test_another_error_than_that_of_the_input_is_refused(found: float) -> None:
     claim, subject = compiled()
     assert not holds(subject, replace(claim, found=found))
+
+
+def list_digests(paper: Paper) -> list[str]:
+    return [s.digest for kernel in list_functions(paper) for s in list_stages(kernel, paper)]
 
 
 def test_what_errors_are_told_in_is_part_of_what_is_kept() -> None:

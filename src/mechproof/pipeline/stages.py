@@ -39,10 +39,15 @@ from mechproof.pipeline.judging import (
     tell_nobody,
 )
 from mechproof.pipeline.verification import LIMIT
-from mechproof.programs.kernel import build_functions
+from mechproof.programs.kernel import build_functions, list_functions
 from mechproof.record import Paper
-from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.certificate_files import certify_paper, write_certificates
+from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_proofs
+from mechproof.roundoff.certificate_files import (
+    CERTIFIED,
+    certify_kernel,
+    read_claims,
+    write_certificates,
+)
 from mechproof.tools.cache import Store, make_key
 from mechproof.tools.extras import require_modules
 from mechproof.tools.made import Change, ForeignFileError, Made
@@ -181,8 +186,10 @@ def measure(
     return run()
 
 
-# Time limit for a paper, in seconds: a search for bounds that are not known yet may take an hour.
+# Time limit for a kernel, in seconds: a search for bounds not known yet may take most of an hour.
 LONGEST = 6 * 3600.0
+# The place of a paper, the number of a kernel of it, what is known of that, and whether with cache.
+_Certifying = tuple[Path, int, tuple[RoundingClaim, ...], bool]
 
 
 def certify_derivations(
@@ -190,26 +197,48 @@ def certify_derivations(
 ) -> list[Certificate | None]:
     """Prove the bounds of papers, given by their places; None for one without charts.
 
-    Raises ValueError for a chart that cannot be used.
+    With the cache what was proved before is not done again. Raises ValueError for a chart that
+    cannot be used.
     """
-    places = list(papers)
-    found: dict[int, Certificate | None] = {}
+    tasks: list[_Certifying] = []
+    for place, paper in papers.items():
+        known = read_claims(directory, paper.system)
+        for number, kernel in enumerate(list_functions(paper)):
+            claims = tuple(claim for claim in known if claim.quantity == kernel.name)
+            tasks.append((place, number, claims, use_cache))
+    # The last kernels of a paper, derivatives of the others, take the longest.
+    tasks.reverse()
+    found: dict[int, tuple[tuple[RoundingClaim, ...], str]] = {}
     _papers.update(papers)
     try:
-        tasks = [(place, directory, use_cache) for place in places]
         for number, result in run_tasks(_certify, tasks, limit=LONGEST):
             if isinstance(result, WorkerError):
-                raise ValueError(f"{places[number]}: {result}") from result
+                raise ValueError(f"{tasks[number][0]}: {result}") from result
             found[number] = result
     finally:
         _papers.clear()
-    return [found[number] for number in range(len(places))]
+    proved: dict[Path, tuple[RoundingClaim, ...]] = dict.fromkeys(papers, ())
+    for number in sorted(found, reverse=True):
+        proved[tasks[number][0]] += found[number][0]
+    if use_cache:
+        CERTIFIED.add(key for _, key in found.values())
+    return [
+        Certificate(paper.system, proved[place]) if proved[place] else None
+        for place, paper in papers.items()
+    ]
 
 
-def _certify(task: tuple[Path, Path, bool]) -> Certificate | None:
-    place, directory, use_cache = task
-    paper = _papers.get(place) or load_paper(place)
-    return certify_paper(paper, directory, use_cache=use_cache)
+def _certify(task: _Certifying) -> tuple[tuple[RoundingClaim, ...], str]:
+    place, number, known, use_cache = task
+    paper = _find_paper(place)
+    return certify_kernel(list_functions(paper)[number], paper, known, use_cache=use_cache)
+
+
+def _find_paper(place: Path) -> Paper:
+    """Return the paper of the process that this one was forked from, or load it once."""
+    if place not in _papers:
+        _papers[place] = load_paper(place)
+    return _papers[place]
 
 
 def list_unmeant(paper: Paper, place: Path) -> list[str]:
@@ -274,8 +303,7 @@ def validate_derivations(
 def _validate(task: tuple[Path, Path, str]) -> None:
     place, folder, name = task
     if (place, folder) not in _made:
-        paper = _papers.get(place) or load_paper(place)
-        _made[place, folder] = tuple(make_subjects(paper, place, folder))
+        _made[place, folder] = tuple(make_subjects(_find_paper(place), place, folder))
     validate(s for s in _made[place, folder] if s.quantity.name == name)
 
 

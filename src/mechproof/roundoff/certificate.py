@@ -12,7 +12,7 @@ import json
 import math
 import zlib
 from base64 import b64decode, b64encode
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -20,7 +20,7 @@ import numpy as np
 
 from mechproof.arithmetic.cover import WORST, Cover, Cuts, are_below, cover_below, cut_again
 from mechproof.arithmetic.intervals import Array
-from mechproof.programs.kernel import list_functions
+from mechproof.programs.kernel import Kernel
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
@@ -83,26 +83,26 @@ def read_certificate(text: str, where: str) -> Certificate:
     return read_fields(Certificate, json.loads(text), where)
 
 
-def certify(paper: Paper, known: Certificate | None) -> Certificate | None:
-    """Prove a bound of every stage with charts; what is known and holds stays as it is.
-
-    None for a paper without charts.
-    """
-    kept = {(c.quantity, c.form, c.way): c for c in known.claims} if known else {}
-    claims = []
+def certify(
+    stages: Iterable[ComputedStage], known: Sequence[RoundingClaim]
+) -> tuple[RoundingClaim, ...]:
+    """Prove a bound of every stage; what is known and holds stays as it is."""
+    kept = {(claim.quantity, claim.form, claim.way): claim for claim in known}
     shown: list[tuple[tuple[object, ...], RoundingClaim]] = []
-    for subject in _list_all(paper):
+    for subject in stages:
         claim, alike = kept.get(_key(subject)), [c for b, c in shown if b == subject.basis]
         if not (claim and holds(subject, claim, alike)):
             claim = make_claim(subject, claim)
-        claims.append(claim)
         shown.append((subject.basis, claim))
-    return Certificate(paper.system, tuple(claims)) if claims else None
+    return tuple(claim for _, claim in shown)
 
 
-def list_digests(paper: Paper) -> list[str]:
-    """List the hashes of all that a paper's certificate is about."""
-    return [subject.digest for subject in _list_all(paper)]
+def list_stages(kernel: Kernel, paper: Paper) -> list[ComputedStage]:
+    """List what is proved of a kernel; ValueError, naming it, for a chart that cannot be used."""
+    try:
+        return [*list_computed_stages(kernel, paper)]
+    except ValueError as error:
+        raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
 def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
@@ -151,14 +151,6 @@ def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
 def tell_bound(claim: RoundingClaim) -> str:
     """Write a bound in full, in eps: rounded down it would not be a bound."""
     return f"{claim.proved:g}" + (f" + {claim.each:g}*(n - 1)" if claim.each else "")
-
-
-def _list_all(paper: Paper) -> Iterator[ComputedStage]:
-    for kernel in list_functions(paper):
-        try:
-            yield from list_computed_stages(kernel, paper)
-        except ValueError as error:
-            raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
 def _key(subject: ComputedStage) -> tuple[str, str, str]:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
+from functools import cache
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from mechproof.programs.kernel import Kernel
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import (
     Certificate,
+    RoundingClaim,
     certify,
-    list_digests,
+    list_stages,
     read_certificate,
     write_certificate,
 )
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.tools.cache import Store, make_key
 
 FOLDER = "certificates"
@@ -48,27 +52,39 @@ def _name(system: str) -> str:
     return f"{FOLDER}/{system}.json"
 
 
-def certify_paper(paper: Paper, directory: Path, *, use_cache: bool) -> Certificate | None:
-    """Prove the bounds of a paper; with the cache what was proved before is not done again.
+def read_claims(directory: Path, system: str) -> tuple[RoundingClaim, ...]:
+    """Return what is kept of a system; nothing of a file that is missing or cannot be read.
 
-    Raises ValueError for a chart that cannot be used.
+    Such a file is written anew, and shows up as a difference.
     """
-    path = directory / _name(paper.system)
-    text = path.read_text(encoding="utf-8") if path.is_file() else ""
-    known = None
-    # A file that cannot be read is written anew, and shows up as a difference.
     with suppress(ValueError):
-        known = read_certificate(text, str(path))
-    if known and use_cache and _key(paper, text) in CERTIFIED.read():
-        return known
-    certificate = certify(paper, known)
-    if certificate and use_cache:
-        CERTIFIED.add([_key(paper, write_certificate(certificate))])
-    return certificate
+        if known := find_certificate(directory, system):
+            return known.claims
+    return ()
 
 
-def _key(paper: Paper, text: str) -> str:
-    """Return a key of all that a certificate rests on."""
+def certify_kernel(
+    kernel: Kernel, paper: Paper, known: tuple[RoundingClaim, ...], *, use_cache: bool
+) -> tuple[tuple[RoundingClaim, ...], str]:
+    """Prove the bounds of a kernel, and return the key of all that they rest on beside them.
+
+    With the cache what was proved before is not done again. Raises ValueError for a chart that
+    cannot be used.
+    """
+    stages = list_stages(kernel, paper)
+    if use_cache and (key := _key(stages, known)) in CERTIFIED.read():
+        return known, key
+    claims = certify(stages, known)
+    return claims, _key(stages, claims)
+
+
+def _key(stages: Sequence[ComputedStage], claims: tuple[RoundingClaim, ...]) -> str:
+    digests = [stage.digest for stage in stages]
+    return make_key((), (), _digest_proofs(), *digests, *map(str, claims))
+
+
+@cache
+def _digest_proofs() -> str:
     package = Path(__file__).parents[1]
     sources = [path for pattern in SOURCES for path in sorted(package.glob(pattern))]
-    return make_key(sources, PACKAGES, *list_digests(paper), text)
+    return make_key(sources, PACKAGES)
