@@ -7,10 +7,8 @@ arithmetic is that of Moore (1966), one operation for many boxes.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -18,6 +16,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.linear_forms import LinearForm, along, follow, invert, state, take_root
 
 Array = NDArray[np.float64]
 Ends = Any
@@ -31,21 +30,35 @@ OUTWARD = EPS
 # Products of two numbers of this size stay within the normal range.
 SMALLEST = 1e-100
 BITS = 64
-KEPT = 2**17
-# A little less than pi, and less than the first pole of the tangent, in radians.
-BEFORE_PI, BEFORE_POLE = 3.1415926535, 1.5707963267
-# A function of flint's balls.
-Function = Callable[[Any], Any]
 
 
 class Interval:
-    """All numbers from `low` to `high`; not finite where nothing is known."""
+    """All numbers from `low` to `high`; not finite where nothing is known.
 
-    __slots__ = ("_sign", "high", "low")
+    With a `form` they are the values of a quantity that is known along the sides of boxes.
+    """
 
-    def __init__(self, low: Ends, high: Ends, sign: int | None = None) -> None:
-        self.low, self.high = low, high
+    __slots__ = ("_sign", "form", "high", "low")
+
+    def __init__(
+        self, low: Ends, high: Ends, sign: int | None = None, form: LinearForm | None = None
+    ) -> None:
+        self.low, self.high, self.form = low, high, form
         self._sign = sign
+
+    def narrowed(self, take: Callable[..., LinearForm], *given: Any) -> Interval:
+        """Return the numbers that a form of them, made of what is given, leaves."""
+        # What is too small is counted by the forms themselves.
+        with np.errstate(under="ignore"):
+            form = take(*given)
+            low = np.fmax(self.low, form.middle - form.reach)
+            high = np.fmin(self.high, form.middle + form.reach)
+        return Interval(low, high, self._sign or None, form)
+
+    @property
+    def stated(self) -> LinearForm:
+        """Return the form, or that of the ends alone."""
+        return self.form or state(self.low, self.high)
 
     @property
     def sign(self) -> int:
@@ -60,14 +73,20 @@ class Interval:
         return np.isfinite(self.low) & np.isfinite(self.high)
 
     def __neg__(self) -> Interval:
-        return Interval(-self.high, -self.low, None if self._sign is None else -self._sign)
+        sign = None if self._sign is None else -self._sign
+        return Interval(-self.high, -self.low, sign, -self.form if self.form else None)
 
     def __add__(self, other: Interval) -> Interval:
         # Two intervals without a sign may have a sum with one, which is found when asked for.
         sign = self._sign if self._sign == other._sign else None
-        return widen(self.low + other.low, self.high + other.high, sign or None)
+        total = widen(self.low + other.low, self.high + other.high, sign or None)
+        if self.form or other.form:
+            return total.narrowed(LinearForm.__add__, self.stated, other.stated)
+        return total
 
     def __sub__(self, other: Interval) -> Interval:
+        if self.form or other.form:
+            return self + -other
         return widen(self.low - other.high, self.high - other.low)
 
     def __mul__(self, other: Interval) -> Interval:
@@ -75,7 +94,10 @@ class Interval:
             return self
         if self is ONE:
             return other
-        return _multiply(self, other)
+        product = _multiply(self, other)
+        if self.form or other.form:
+            return product.narrowed(LinearForm.__mul__, self.stated, other.stated)
+        return product
 
     def __truediv__(self, other: Interval) -> Interval:
         return self if other is ONE else self * other.inverted()
@@ -83,17 +105,20 @@ class Interval:
     def inverted(self) -> Interval:
         """Return the reciprocals; not finite where zero is among the numbers."""
         apart = (self.low > 0) | (self.high < 0)
-        return widen(
-            np.divide(1.0, np.where(apart, self.high, np.nan)),
-            np.divide(1.0, np.where(apart, self.low, np.nan)),
-        )
+        low, high = np.where(apart, self.low, np.nan), np.where(apart, self.high, np.nan)
+        found = widen(np.divide(1.0, high), np.divide(1.0, low))
+        return found.narrowed(invert, self.form, low, high) if self.form else found
 
     def size(self) -> Interval:
         """Return the absolute values."""
         if self.sign:
             return self if self.sign > 0 else -self
         low = np.maximum(np.maximum(self.low, -self.high), 0.0)
-        return Interval(low, np.maximum(-self.low, self.high))
+        found = Interval(low, np.maximum(-self.low, self.high))
+        if self.form is None:
+            return found
+        sign = np.where(self.low >= 0, 1.0, np.where(self.high <= 0, -1.0, np.nan))
+        return found.narrowed(LinearForm.__mul__, self.form, LinearForm(sign, {}, 0.0))
 
     def largest(self) -> Ends:
         """Return the largest absolute value."""
@@ -121,11 +146,33 @@ class Interval:
             return self.power(-exponent).inverted()
         # Multiplied with itself, an interval could give an even power negative ends.
         base = self.size() if exponent % 2 == 0 else self
-        return Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
+        found = Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
+        if self.form is None or exponent == 0:
+            return found
+        if exponent == 2:
+            return found.narrowed(LinearForm.square, self.form)
+        return self if exponent == 1 else found.narrowed(_raise_form, self.form, exponent)
 
     def sqrt(self) -> Interval:
         """Return the roots."""
-        return widen(np.sqrt(self.low), np.sqrt(self.high))
+        found = widen(np.sqrt(self.low), np.sqrt(self.high))
+        return found.narrowed(take_root, self.form, self.low, self.high) if self.form else found
+
+    def follow(
+        self, z: Interval, values: tuple[Interval, Interval], slopes: Interval, bend: Ends
+    ) -> Interval:
+        """Narrow what a function of `z` is, from its values at both ends and its slopes.
+
+        Where it is convex, `bend` is 1, where concave, -1.
+        """
+        if z.form is None:
+            return self
+        return self.narrowed(follow, z.form, (z.low, z.high), values, slopes, bend)
+
+    @property
+    def signs(self) -> Ends:
+        """Return 1 where no number is negative, -1 where none is positive, 0 elsewhere."""
+        return np.where(self.low >= 0, 1, np.where(self.high <= 0, -1, 0))
 
 
 def _raise(end: Ends, exponent: int) -> Interval:
@@ -133,6 +180,13 @@ def _raise(end: Ends, exponent: int) -> Interval:
     for _ in range(exponent - 1):
         value *= base
     return value
+
+
+def _raise_form(form: LinearForm, exponent: int) -> LinearForm:
+    if exponent == 1:
+        return form
+    half = _raise_form(form, exponent // 2).square()
+    return half * form if exponent % 2 else half
 
 
 def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:
@@ -218,84 +272,18 @@ def between(low: Ends, high: Ends) -> Interval:
     return Interval(np.where(endless, np.nan, low), np.where(endless, np.nan, high))
 
 
-def list_spans(boxes: Array) -> list[Interval]:
-    """Return the interval of each side, in many boxes at once, shape (boxes, sides, 2)."""
-    return [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+def list_spans(boxes: Array, *, has_forms: bool = False) -> list[Interval]:
+    """Return the interval of each side, in many boxes at once, shape (boxes, sides, 2).
+
+    If it `has_forms`, sides with ends have linear forms.
+    """
+    spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+    for side, span in enumerate(spans):
+        if has_forms and np.all(span.is_finite):
+            span.form = along(side, span.low, span.high)
+    return spans
 
 
 ONE = exactly(1.0)
 with working_precision(BITS):
     PI = enclose_ball(arb.pi())
-
-
-# Cached, because halved boxes share ends.
-@lru_cache(KEPT)
-def _enclose(function: Function, value: float) -> tuple[float, float]:
-    if not math.isfinite(value):
-        return math.nan, math.nan
-    with working_precision(BITS):
-        ball = function(arb(value))
-        return float(ball.lower()), float(ball.upper())
-
-
-def apply(function: Function, values: Ends) -> Interval:
-    """Return a function at doubles."""
-    # Boxes that lie side by side share ends, too.
-    some, places = np.unique(values, return_inverse=True)
-    found = np.array([_enclose(function, value) for value in some.tolist()])
-    return widen(found[places, 0], found[places, 1])
-
-
-def _rise(function: Function, z: Interval) -> Interval:
-    return Interval(apply(function, z.low).low, apply(function, z.high).high)
-
-
-def tangent(z: Interval) -> Interval:
-    """Return tangents; not finite beyond the first pole."""
-    known = z.largest() < BEFORE_POLE
-    return _rise(arb.tan, Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
-
-
-def cotangent(z: Interval) -> Interval:
-    """Return cotangents; not finite where z is zero or beyond half a turn."""
-    known = (z.largest() < BEFORE_PI) & ((z.low > 0) | (z.high < 0))
-    low, high = np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)
-    return Interval(apply(arb.cot, high).low, apply(arb.cot, low).high)
-
-
-def arctangent(z: Interval) -> Interval:
-    """Return arctangents."""
-    return _rise(arb.atan, z)
-
-
-def exponential(z: Interval) -> Interval:
-    """Return exponentials."""
-    return _rise(arb.exp, z)
-
-
-def logarithm(z: Interval) -> Interval:
-    """Return logarithms; not finite where z is not positive."""
-    known = z.low > 0
-    return _rise(arb.log, Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
-
-
-def sine(z: Interval) -> Interval:
-    """Return sines."""
-    return _wave(arb.sin, z, np.float64(0.25))
-
-
-def cosine(z: Interval) -> Interval:
-    """Return cosines."""
-    return _wave(arb.cos, z, np.float64(0.0))
-
-
-def _wave(function: Function, z: Interval, crest: Ends) -> Interval:
-    """Return a wave; `crest` is where it is largest, in turns."""
-    ends = apply(function, z.low).union(apply(function, z.high))
-    turns = z / (PI * exactly(2.0))
-    # The margin of 1e-9 may count a crest too many, which only widens the result.
-    top = np.floor(turns.high - crest + 1e-9) >= np.ceil(turns.low - crest - 1e-9)
-    trough = crest + 0.5
-    bottom = np.floor(turns.high - trough + 1e-9) >= np.ceil(turns.low - trough - 1e-9)
-    low, high = np.maximum(ends.low, -1.0), np.minimum(ends.high, 1.0)
-    return Interval(np.where(bottom, -1.0, low), np.where(top, 1.0, high))

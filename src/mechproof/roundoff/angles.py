@@ -7,27 +7,23 @@ its size, so that intervals of it stay narrow down to zero.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from flint import arb
 
-from mechproof.arithmetic.intervals import (
-    ONE,
-    PI,
-    Ends,
+from mechproof.arithmetic.interval_functions import (
     Function,
-    Interval,
     apply,
     arctangent,
-    around,
     cosine,
     cotangent,
-    exactly,
     sine,
     tangent,
 )
+from mechproof.arithmetic.intervals import ONE, PI, Ends, Interval, around, exactly
 from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 
 # Size of an angle, in radians, from which its tangent is taken through the reciprocal, which
@@ -35,6 +31,9 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 STEEP = 0.9
 # Below this size, by Taylor, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16 of 1.
 TINY = 1e-8
+SLOPES: Mapping[Function, Callable[[Interval], Interval]] = MappingProxyType(
+    {arb.sin: cosine, arb.atan: lambda z: (ONE + z.power(2)).inverted()}
+)
 
 
 @dataclass(frozen=True)
@@ -80,7 +79,21 @@ def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> Interv
 def over_argument(exact: Function, z: Interval) -> Interval:
     """Return function(z)/z for an odd function whose quotient is monotone in |z|."""
     size = z.size()
-    return _quotient(exact, size.low).union(_quotient(exact, size.high))
+    first, last = _quotient(exact, size.low), _quotient(exact, size.high)
+    found = first.union(last)
+    if size.form is None:
+        return found
+    # By the quotient rule. Where the argument may be zero this is not finite.
+    low, high = Interval(size.low, size.low), Interval(size.high, size.high)
+    if exact is arb.tan:
+        # Its series has no negative coefficient, so that it is convex and its slope is largest at
+        # the far end, and not negative.
+        least, most = ((ONE + (z * q).power(2) - q) / z for z, q in ((low, first), (high, last)))
+        slope = Interval(np.fmax(least.low, 0.0), most.high)
+        return found.follow(size, (first, last), slope, 1)
+    plain = Interval(size.low, size.high)
+    slope = (SLOPES[exact](plain) - found) / plain
+    return found.follow(size, (first, last), slope, 0)
 
 
 def _quotient(exact: Function, size: Ends) -> Interval:

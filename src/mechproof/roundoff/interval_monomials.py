@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.arithmetic.cover import Boxes
+from mechproof.arithmetic.interval_functions import Function
 from mechproof.arithmetic.intervals import (
     ONE,
     Array,
     Ends,
-    Function,
     Interval,
     Mask,
     careful,

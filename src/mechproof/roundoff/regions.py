@@ -63,10 +63,16 @@ class ChartRegion:
         return "more turns" if self.turns is None else f"{self.turns} turns"
 
     def enter(
-        self, boxes: Boxes, poles: int, forced: tuple[int, ...] = (), zeros: int = 0
+        self,
+        boxes: Boxes,
+        poles: int,
+        forced: tuple[int, ...] = (),
+        zeros: int = 0,
+        *,
+        has_forms: bool = False,
     ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
         """Return the variables of boxes, its coordinates as monomials and the angle's turn."""
-        spans = list_spans(boxes)
+        spans = list_spans(boxes, has_forms=has_forms)
         if self.turns is not None:
             # The reciprocal of the angle, which is known when its rest is.
             spans.append(ONE)
@@ -150,7 +156,9 @@ def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonom
     a, b = one.expanded(), other.expanded()
     (low, below), (high, above) = add_exactly(a.low, b.low), add_exactly(a.high, b.high)
     span = Interval(
-        np.where(below == 0, low, total.span.low), np.where(above == 0, high, total.span.high)
+        np.where(below == 0, low, total.span.low),
+        np.where(above == 0, high, total.span.high),
+        form=total.span.form,
     )
     return IntervalMonomial(total.variables, span, total.powers)
 

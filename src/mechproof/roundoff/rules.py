@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from mechproof.arithmetic.interval_functions import exponential, logarithm
 from mechproof.arithmetic.intervals import (
     EPS,
     ONE,
@@ -20,8 +21,6 @@ from mechproof.arithmetic.intervals import (
     Mask,
     around,
     exactly,
-    exponential,
-    logarithm,
 )
 from mechproof.roundoff.angles import (
     Turn,

@@ -1,0 +1,164 @@
+"""Linear forms: at every place of a box they hold what a quantity is there, and follow sides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb
+
+from mechproof.arithmetic import interval_functions, linear_forms
+from mechproof.arithmetic.balls import to_ball, working_precision
+from mechproof.arithmetic.intervals import Array, Interval, careful, list_spans
+from mechproof.arithmetic.linear_forms import LinearForm
+
+COUNT, SIDES = 300, 3
+OPERATIONS: dict[str, Callable[..., Any]] = {
+    "sum": lambda x, y, z: x + y + x,
+    "difference": lambda x, y, z: x - y - z,
+    "product": lambda x, y, z: x * y * z,
+    "square of a sum": lambda x, y, z: (x + y) * (x - z),
+    "quotient": lambda x, y, z: (x * y) / (y * z),
+}
+FUNCTIONS: dict[str, tuple[Callable[[Interval], Interval], Callable[[Any], Any]]] = {
+    "tan": (interval_functions.tangent, arb.tan),
+    "cot": (interval_functions.cotangent, arb.cot),
+    "arctan": (interval_functions.arctangent, arb.atan),
+    "sin": (interval_functions.sine, arb.sin),
+    "cos": (interval_functions.cosine, arb.cos),
+    "exp": (interval_functions.exponential, arb.exp),
+    "log": (interval_functions.logarithm, arb.log),
+    "sqrt": (Interval.sqrt, arb.sqrt),
+    "1/x": (Interval.inverted, lambda x: 1 / x),
+    "size": (Interval.size, abs),
+    **{f"x**{n}": (lambda x, n=n: x.power(n), lambda x, n=n: x**n) for n in (-2, 2, 3, 5)},
+}
+
+
+def draw_boxes(seed: int, reach: float = 1.5, *, mixed: bool = True) -> Array:
+    """Draw boxes of all widths, some no wider than a few ulps, and single points."""
+    rng = np.random.default_rng(seed)
+    middles = rng.uniform(-reach if mixed else 0.05, reach, (COUNT, SIDES))
+    widths = np.abs(middles) * 2.0 ** -rng.integers(0, 54, (COUNT, SIDES))
+    widths[:20] = 0.0
+    return np.stack([middles - widths / 2, middles + widths / 2], axis=2)
+
+
+def list_places(boxes: Array, seed: int) -> list[Array]:
+    """Return places in boxes: a corner, and some in between."""
+    shares = np.random.default_rng(seed).uniform(0, 1, (4, COUNT, SIDES))
+    shares[0] = np.rint(shares[0])
+    low, high = boxes[:, :, 0], boxes[:, :, 1]
+    return [np.clip(low + share * (high - low), low, high) for share in shares]
+
+
+def count_missed(found: Interval, spans: list[Interval], at: Array, values: list[Any]) -> int:
+    """Count the values that are outside of an interval, or farther from the form than its rest."""
+    assert found.form is not None
+    missed = 0
+    parts = np.broadcast_arrays(found.low, found.high, found.form.middle, found.form.rest)
+    changes = {i: np.broadcast_to(c, COUNT) for i, c in found.form.changes.items()}
+    for row, value in enumerate(values):
+        low, high, middle, rest = (float(part[row]) for part in parts)
+        if not np.isfinite([low, high, middle, rest]).all():
+            continue
+        missed += not (to_ball(low) <= value <= to_ball(high))
+        about = arb(middle)
+        for side, change in changes.items():
+            form = spans[side].form
+            assert form is not None
+            way = Fraction(float(at[row, side])) - Fraction(float(form.middle[row]))
+            if way:
+                about += arb(float(change[row])) * to_ball(way / Fraction(form.changes[side][row]))
+        missed += not abs(value - about) <= arb(rest)
+    return missed
+
+
+def miss_operation(kind: str) -> int:
+    boxes = draw_boxes(1)
+    spans = list_spans(boxes, has_forms=True)
+    with careful(moves=False):
+        found = OPERATIONS[kind](*spans)
+    assert np.sum(found.is_finite) > COUNT / 3
+    with working_precision(400):
+        return sum(
+            count_missed(
+                found, spans, at, [OPERATIONS[kind](*map(arb, map(float, row))) for row in at]
+            )
+            for at in list_places(boxes, 2)
+        )
+
+
+def miss_function(name: str) -> int:
+    enclose, exact = FUNCTIONS[name]
+    boxes = draw_boxes(3, mixed=name not in ("log", "sqrt"))
+    spans = list_spans(boxes, has_forms=True)
+    with careful(moves=False):
+        found = enclose(spans[0])
+    assert np.sum(found.is_finite) > COUNT / 3
+    with working_precision(400):
+        return sum(
+            count_missed(found, spans, at, [exact(arb(float(row[0]))) for row in at])
+            for at in list_places(boxes, 4)
+        )
+
+
+@pytest.mark.parametrize("kind", OPERATIONS)
+def test_operations_hold_what_is_at_a_place(kind: str) -> None:
+    assert miss_operation(kind) == 0
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_hold_what_is_at_a_place(name: str) -> None:
+    assert miss_function(name) == 0
+
+
+@pytest.mark.parametrize("kind", ["product", "square of a sum", "quotient"])
+def test_a_product_without_what_bends_it_is_caught(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(LinearForm, "_bend", lambda self, other: (0.0, 0.0))
+    assert miss_operation(kind) > 0
+
+
+@pytest.mark.parametrize("kind", OPERATIONS)
+def test_roundings_that_are_left_out_are_caught(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(linear_forms, "ROUNDED", 0.0)
+    assert miss_operation(kind) > 0
+
+
+@pytest.mark.parametrize("name", ["tan", "arctan", "sin", "cos", "exp"])
+def test_a_function_that_bends_the_other_way_is_caught(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    follow = Interval.follow
+
+    def turn(self: Interval, z: Interval, values: Any, slopes: Interval, bend: Any) -> Interval:
+        return follow(self, z, values, slopes, -bend)
+
+    monkeypatch.setattr(Interval, "follow", turn)
+    assert miss_function(name) > 0
+
+
+def test_what_cancels_is_of_second_order() -> None:
+    """The interval of its terms is as wide as they are, that of the form by their square."""
+    boxes = np.array([[(1 - h, 1 + h), (2 - h, 2 + h)] for h in (0.1, 0.05, 0.025)])
+    widths = []
+    for has_forms in (True, False):
+        x, y = list_spans(boxes, has_forms=has_forms)
+        found = (x + y) * (x - y) - x.power(2) + y.power(2)
+        widths.append(found.high - found.low)
+    assert np.all(widths[0][:-1] > 3.9 * widths[0][1:])
+    assert np.all(widths[0] < 0.2 * widths[1])
+
+
+def test_a_side_without_an_end_has_no_form() -> None:
+    boxes = np.array([[(0.0, 1.0), (1.0, np.inf)]])
+    first, second = list_spans(boxes, has_forms=True)
+    assert first.form is not None
+    assert second.form is None
+    assert not (first * second).is_finite[0]
+    assert all(span.form is None for span in list_spans(boxes))
