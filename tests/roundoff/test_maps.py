@@ -15,7 +15,7 @@ from weights import first_of
 from mechproof.derivations.track_wheel.kernels.poses import ROTATION
 from mechproof.derivations.track_wheel.mechanics import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
-from mechproof.roundoff.affine import bound_norm, find_size
+from mechproof.roundoff.affine import find_size
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import EXACT
@@ -46,22 +46,6 @@ def bound_at(subject: ComputedStage, *angles: float) -> float:
     region = next(list_regions(subject.form.charts[0]))
     box = [*((a, a) for a in angles), *[ENDLESS] * 6]
     return float(subject.bound(region, np.array([box]))[0])
-
-
-def test_the_norm_is_not_below_the_largest_stretch() -> None:
-    cells = np.random.default_rng(3).uniform(0, 1, (3, 3, 50)) ** 3
-    bounds = bound_norm([list(row) for row in cells])
-    norms = np.array([np.linalg.norm(cells[:, :, i], 2) for i in range(50)])
-    assert np.all(norms <= bounds)
-    assert np.all(bounds <= norms * 1.02)
-
-
-def test_the_norm_of_what_is_not_known_is_not_finite() -> None:
-    cells = [[np.array([1.0, np.inf]) for _ in range(3)] for _ in range(3)]
-    with np.errstate(all="ignore"):
-        bound = bound_norm(cells)
-    assert np.isfinite(bound[0])
-    assert not np.isfinite(bound[1])
 
 
 def test_a_scale_of_point_and_shift_has_a_size() -> None:

@@ -1,8 +1,8 @@
-"""Affine: a map M*p + v of points, the norm of whose error is bounded by its entries.
+"""Affine: a map M*p + v of points, the norm of whose error is bounded by its roundings.
 
-A product and every sum it goes through add a rounding, whatever the order of the sums and whether
-they are fused. So the error of a component is at most |p| times a matrix of bounds, and its norm at
-most the norm of that matrix.
+Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`). A
+product and every sum it goes through add a rounding, whatever the order of the sums and whether
+they are fused: at most |p| times a matrix without signs.
 """
 
 from __future__ import annotations
@@ -18,13 +18,8 @@ from mechproof.arithmetic.intervals import EPS, UNIT, Ends
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.moved_matrices import bound_stretch, sort_moves
 from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
-
-# Steps of the power method, for a close bound: any positive vector gives a valid one.
-POWERS = 8
-# Components of its vector are kept at least this large, as they are divided by.
-LEAST = 1e-3
-SLACK = 1 + 100 * EPS
 
 
 @dataclass(frozen=True)
@@ -59,15 +54,14 @@ class AffineMap:
     def bound(self, evaluation: ErrorAnalysis, bar: ErrorScale) -> Ends:
         """Bound the norm of the error in eps of D*|p| + |v|, D being the scale."""
         count = len(self.points)
-        rounded = _add_roundings(count + 1) / EPS
-        cells = [
-            [
-                evaluation.sum_errors(entry, bar) + rounded * evaluation.compare(entry, bar)
-                for entry in row
-            ]
-            for row in self.rows
-        ]
-        norm = bound_norm(cells)
+        assert bar.scale is not None
+        moves = [[evaluation.list_moves(e, bar.scale) for e in row] for row in self.rows]
+        sizes = [[evaluation.compare(entry, bar) for entry in row] for row in self.rows]
+        moved = sort_moves(moves)
+        more = np.array([np.broadcast_arrays(*row) for row in sizes]) * _add_roundings(count + 1)
+        norm = bound_stretch(replace(moved, rest=moved.rest + more / EPS))
+        # The second factor is there as part of the roundings have already moved what is moved.
+        norm = norm * (1 + EPS * len(self.entries.steps)) * (1 + 2 * EPS * norm)
         return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
 
     def compute_scale(self, size: Any, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
@@ -92,22 +86,6 @@ def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Bas
 def measure_norm(components: Sequence[Any], arithmetic: Arithmetic) -> Any:
     """Return the norm of a vector."""
     return arithmetic.sqrt(sum(c * c for c in components))
-
-
-def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
-    """Bound the spectral norm of a matrix without negative entries.
-
-    With G = N^T*N, its square is at most the largest componentwise quotient of G*x and x, x > 0.
-    """
-    matrix = np.array([np.broadcast_arrays(*row) for row in cells])
-    square = np.einsum("ki...,kj...->ij...", matrix, matrix)
-    x = np.ones_like(matrix[0])
-    for _ in range(POWERS):
-        moved = np.einsum("ij...,j...->i...", square, x)
-        x = np.maximum(moved / np.max(moved, axis=0), LEAST)
-    moved = np.einsum("ij...,j...->i...", square, x)
-    # Collatz and Wielandt: a bound for any positive x, so that the power method needs no proof.
-    return np.sqrt(np.max(moved / x, axis=0)) * SLACK
 
 
 def _add_roundings(count: int) -> float:

@@ -12,7 +12,7 @@ the value changes by shares of itself, and a sum C of them makes exp(C) - 1 of i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -295,6 +295,36 @@ class ErrorAnalysis:
         """Bound what each step adds to the error of an output, in eps of the scale."""
         return {r: take_least(*found) for r, found in self._list_shares(output, bar).items()}
 
+    def list_moves(self, output: Operand, scale: IntervalMonomial) -> dict[str, Interval]:
+        """Return how the largest rounding of each step moves an output, in eps of a scale.
+
+        The signs are those for one and the same rounding, whatever the output.
+        """
+        inverse = self._one / scale
+        return {
+            rounded.step.result: rounded.move((slope * inverse * rounded.exact).expanded())
+            for rounded, slope in self._pass_back(output)
+        }
+
+    def _pass_back(self, output: Operand) -> Iterator[tuple[RoundedStep, IntervalMonomial]]:
+        """Yield the steps, last first, with the slope of an output by each."""
+        slopes = {output: self._one}
+        # One backward pass serves all steps: when a step is met, its whole effect on the output is
+        # known.
+        for rounded in reversed(self.rounded):
+            slope = slopes.pop(rounded.step.result, None)
+            if slope is None or rounded.step.result in self.held:
+                continue
+            yield rounded, slope
+            if np.any(rounded.relative) and rounded.known is None:
+                slope = slope.scaled(around(1.0, rounded.relative))
+            for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
+                if own is not None and isinstance(operand, str):
+                    part = slope * own
+                    # Added before any size is taken: the slopes of a value that is used twice may
+                    # cancel.
+                    slopes[operand] = slopes[operand] + part if operand in slopes else part
+
     def _list_shares(self, output: Operand, bar: ErrorScale) -> dict[str, list[Ends]]:
         """Bound what each step adds, in eps of each quantity that the scale is at least."""
         scales = self._list_scales(output, bar)
@@ -302,15 +332,9 @@ class ErrorAnalysis:
         # Relative to itself, the output has a condition number from the start: 1.
         value = self.value(output)
         carried = CarriedConditions(output, [ONE if s is value else UNKNOWN for s in scales])
-        slopes = {output: self._one}
         errors: dict[str, list[Ends]] = {}
         numbers = None
-        # One backward pass serves all steps: when a step is met, its whole effect on the output is
-        # known.
-        for rounded in reversed(self.rounded):
-            slope = slopes.pop(rounded.step.result, None)
-            if slope is None or rounded.step.result in self.held:
-                continue
+        for rounded, slope in self._pass_back(output):
             if rounded.known is not None:
                 # The errors of constants are known, so that they add up with their signs.
                 part = (slope * rounded.exact).scaled(rounded.known)
@@ -322,8 +346,6 @@ class ErrorAnalysis:
             errors[rounded.step.result] = rounded.weigh(overs, conditions)
             if bar.holds_value:
                 self._carry(rounded, conditions, carried)
-            if np.any(rounded.relative):
-                slope = slope.scaled(around(1.0, rounded.relative))
             if rounded.step.result == output and np.any(rounded.relative):
                 shares = errors[rounded.step.result]
                 if bar.holds_value:
@@ -334,12 +356,6 @@ class ErrorAnalysis:
                 elif bar.least:
                     share = self._compare_terms(rounded.step, inverses)
                     shares[0] = take_least(shares[0], rounded.relative / EPS * share)
-            for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
-                if own is not None and isinstance(operand, str):
-                    part = slope * own
-                    # Added before any size is taken: the slopes of a value that is used twice may
-                    # cancel.
-                    slopes[operand] = slopes[operand] + part if operand in slopes else part
         if numbers is not None:
             sizes = [(numbers * inverse).expanded().largest() for inverse in inverses]
             errors[CONSTANT] = [size / EPS for size in sizes]

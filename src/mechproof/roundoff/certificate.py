@@ -31,8 +31,8 @@ from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
 # The most boxes, over all regions, that may show a bound. Boxes with many sides get fewer, as a cut
-# is tried across each side.
-MOST, MOST_OF_MANY, MANY_SIDES = 16000, 500, 10
+# is tried across each side, and so do those of maps, whose matrices take longer.
+MOST, MOST_OF_MANY, MANY_SIDES, MOST_OF_MAPS = 16000, 500, 10, 6000
 # Where the search for the lowest bound starts and gives up, in eps, and how near it comes, as a
 # share of the bound.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
@@ -236,6 +236,8 @@ def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[Chart
 def _limit(subject: ComputedStage) -> int:
     """Return the most boxes that may show a bound."""
     sides = max(len(region.box) for region in _list_regions(subject))
+    if subject.map:
+        return MOST_OF_MAPS
     return MOST_OF_MANY if sides >= MANY_SIDES else MOST
 
 

@@ -200,7 +200,10 @@ class ComputedStage:
         kinds = [step.kind for straight in straights for step in straight.steps]
         # If the scale has terms of its own, sines and cosines that vanish cancel term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
-        variables, monomials, turn = region.enter(boxes, kinds.count("tan"), forced, waves)
+        # Of a matrix the signs of what roundings move are kept, for which intervals are too wide.
+        variables, monomials, turn = region.enter(
+            boxes, kinds.count("tan"), forced, waves, has_forms=self.map is not None
+        )
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
         given = {names[symbol]: express(value, variables, monomials) for symbol, value in arguments}

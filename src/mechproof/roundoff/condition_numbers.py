@@ -131,6 +131,23 @@ class RoundedStep:
     # For a number that is no double: its rounding error with its sign, as a share of itself.
     known: Interval | None = None
 
+    @property
+    def _share(self) -> Ends:
+        """Bound the rounding as a share of the value, in eps."""
+        share = self.relative / EPS
+        if self.absolute is not None:
+            least = self.exact.expanded().size().low
+            share = np.fmin(share, self.absolute / EPS / np.where(least > 0, least, np.nan))
+        return share
+
+    def move(self, condition: Interval) -> Interval:
+        """Return how the largest rounding moves an output, in eps of a scale, with the sign."""
+        if self.known is not None:
+            return condition * self.known / exactly(EPS)
+        share = self._share * (1 + 8 * EPS)
+        # An exact operation moves nothing, even where its condition number is not known.
+        return condition * Interval(share, share) if np.any(share) else exactly(0.0)
+
     def weigh(
         self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]
     ) -> list[Ends]:
@@ -138,11 +155,9 @@ class RoundedStep:
 
         The slopes are those of an output over each scale, the conditions its condition numbers.
         """
-        share, absolute = self.relative / EPS, None
+        share, absolute = self._share, None
         if self.absolute is not None:
             absolute = self.absolute / EPS
-            least = self.exact.expanded().size().low
-            share = np.fmin(share, absolute / np.where(least > 0, least, np.nan))
         # An exact operation adds nothing, even where its slope is not known.
         is_exact = np.maximum(share, 0.0 if absolute is None else absolute) == 0
         bounds = []
