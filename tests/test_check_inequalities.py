@@ -10,7 +10,12 @@ from mechproof.proof.verdict import Verdict
 
 TRIANGLE = ("a<b+c", "b<c+a", "c<a+b")
 COUNT = (r"n\in\mathbb N",)
+SIZES = ("p>0", "q>0", "r>0", "s>0")
 PROVED = [
+    # Products, each factor in its own way, or what is said of a product of some of them.
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)>0", (*SIZES, r"0<x<\pi/2", "0<k<1")),
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"(1-k^2)\sin x\ge0")),
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"\frac{(k^2-1)qr\sin x}{p+s}\le0")),
     # Numbers that are said not to be equal.
     ("x^2+y^2>2xy", (r"x\ne y",)),
     ("(x-y)^2(y-z)^2>0", (r"x\ne y", r"y\ne z")),
@@ -63,6 +68,10 @@ PROVED = [
     (r"\int_0^ax\,dx\le a^2", ()),
 ]
 NOT_PROVED = [
+    (r"\frac{pqrs\sin x}{r-s}\cdot(1-k^2)>0", (*SIZES, r"0<x<\pi/2", "0<k<1")),
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k)\ge0", (*SIZES, r"(1-k^2)\sin x\ge0")),
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)>0", (*SIZES, r"(1-k^2)\sin x\ge0")),
+    (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"\frac{(k^2-1)qr\sin x}{p-s}\le0")),
     # Others are said not to be equal, or that is not enough.
     ("x^2+y^2>2xy", (r"x\ne-y",)),
     ("x^2+y^2>2xy", (r"x\ne0",)),

@@ -19,6 +19,7 @@ from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Task
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
+from mechproof.proof.refutation import compare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, Holds, Part, RecordError, Statement
 from mechproof.record.parts import TURNING
@@ -152,8 +153,15 @@ def _list_turning(task: Task) -> Iterator[sp.Basic]:
 def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
     """Return whether an equation holds where some of its letters lie in sets."""
     inside = Part("what is not said of some letters holds", within)
+    domain = Domain.of(task.paper, task.row.on, inside)
+    says = task.row.statement
+    sides = [says.printed, says.rebuilt] if isinstance(says, Equality) else []
+    sides = [domain.resolve(side) for side in sides if isinstance(side, sp.Expr)]
     try:
-        answer = decide(task.row.statement, Domain.of(task.paper, task.row.on, inside))
+        # Points are tried first: most choices of letters are refuted by one.
+        if len(sides) == 2 and compare(sides[0], sides[1], domain).counterexample:
+            return False
+        answer = decide(says, domain)
     except (RecordError, ContradictionError):
         return False
     return answer.verdict is Verdict.PROVED

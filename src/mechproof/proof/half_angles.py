@@ -24,7 +24,7 @@ from mechproof.proof.coordinates import (
     write_by_exponentials,
 )
 from mechproof.proof.polynomial_signs import StrictSign
-from mechproof.proof.signs import find_sign, is_positive, is_workable
+from mechproof.proof.signs import find_sign, is_positive, is_workable, multiply_signs
 from mechproof.record import RecordError, Root, Slack
 from mechproof.record.parts import has_parts
 from mechproof.statement_domains.domain import Domain
@@ -80,12 +80,24 @@ def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign 
 def find_sign_there(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the sign that is proved in positive coordinates or in tangents of half angles."""
     found = None
-    for find in (find_sign, find_sign_in_half_angles, _find_sign_of_powers):
+    for find in (find_sign, find_sign_in_half_angles, _find_sign_of_powers, _find_sign_of_factors):
         sign = find(expression, domain)
         if sign is not None and sign.strict:
             return sign
         found = sign or found
     return found
+
+
+def _find_sign_of_factors(expression: sp.Expr, domain: Domain) -> StrictSign | None:
+    """Return the sign of a product whose factors are shown each in its own way."""
+    expression = domain.resolve(expression)
+    if has_parts(expression, sp.Sum, sp.Integral, Root) or not is_workable(expression):
+        return None
+    if expression.count_ops() > _LARGEST:
+        return None
+    if len(sp.Mul.make_args(factored := sp.factor(expression))) < 2:
+        return None
+    return multiply_signs(factored, lambda base: find_sign_there(base, domain))
 
 
 def _find_sign_of_powers(expression: sp.Expr, domain: Domain) -> StrictSign | None:

@@ -12,9 +12,10 @@ his multiplier: what shows no sign as it stands is not multiplied until it does.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from math import prod
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
@@ -131,23 +132,61 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
         for value, end, _ in list_by_values(slack)
         if end.value.is_infinite or is_shown(end, free)
     ]
+    said = [_leave_known_factors(slack, free) for slack in said]
     said = [slack for slack in said if slack.value.free_symbols <= expression.free_symbols]
     is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
     if not (said and is_small and _is_quotient(expression)):
         return None
     if whole := _find_said(expression, said):
         return whole
-    direction, strict, is_met = 1, True, False
-    for factor in sp.Mul.make_args(sp.factor(expression)):
+    met: list[StrictSign] = []
+
+    def find(base: sp.Expr) -> StrictSign | None:
+        if one := _find_said(base, said):
+            met.append(one)
+        return one or (find_sign(base, domain) if base != expression else None)
+
+    sign = multiply_signs(expression, find)
+    return sign if met else None
+
+
+def multiply_signs(
+    expression: sp.Expr, find: Callable[[sp.Expr], StrictSign | None]
+) -> StrictSign | None:
+    """Return the sign of a product from those of its factors; None where one is not shown.
+
+    Those that are not shown by themselves may be shown together.
+    """
+    sign, unshown = StrictSign(1, True), sp.S.One
+    factors = sp.Mul.make_args(sp.factor(expression))
+    for factor in factors:
         base, power = factor.as_base_exp()
-        found = _find_said(base, said)
-        is_met |= found is not None
-        found = found or (find_sign(base, domain) if base != expression else None)
-        if found is None or not (found.strict or power > 0):
+        found = find(base)
+        if found is None:
+            unshown *= factor
+        elif not (found.strict or power > 0):
             return None
-        direction *= found.direction ** (int(power) % 2)
-        strict &= found.strict
-    return StrictSign(direction, strict) if is_met else None
+        else:
+            # Of a root, too, only what stands under it may be negative.
+            sign = sign.times(found if power % 2 == 1 else StrictSign(1, found.strict))
+    if unshown == 1:
+        return sign
+    is_less = 1 < len(sp.Mul.make_args(unshown)) < len(factors)
+    found = find(unshown) if is_less else None
+    return sign.times(found) if found else None
+
+
+@lru_cache(maxsize=256)
+def _leave_known_factors(slack: Slack, domain: Domain) -> Slack:
+    """Divide what is said not to be negative by factors whose signs are known."""
+    value = slack.value
+    if value.count_ops() > _MOST_FACTORED or not (is_workable(value) and _is_quotient(value)):
+        return slack
+    factors = sp.Mul.make_args(sp.factor(value))
+    known = {factor: find_sign(factor, domain) for factor in factors if len(factors) > 1}
+    signs = [sign for sign in known.values() if sign and sign.strict]
+    left = [f for f in factors if not ((sign := known.get(f)) and sign.strict)]
+    return Slack(prod(sign.direction for sign in signs) * sp.Mul(*left), slack.strict)
 
 
 def _is_quotient(expression: sp.Expr) -> bool:
