@@ -105,6 +105,14 @@ CASES = {
         [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k\le\psi\le u"],
         ["DEFINITION", "DEFINITION", "REFUTED"],
     ),
+    "a piece on both sides of zero": (
+        [
+            r"s=a-a\psi^2,\quad|\psi|\le1",
+            r"\int_{-1}^1s\,d\psi=\frac43a",
+            r"\int_{-1}^1s\,d\psi=\frac23a",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
     "a law may jump": (
         [r"s=a\psi^2,\quad 0\le\psi\le k", r"s=ak^2+h,\quad k<\psi\le u"],
         ["DEFINITION", "DEFINITION", "not judged"],

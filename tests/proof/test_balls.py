@@ -60,6 +60,10 @@ VALUES = {
         lambda m, x, y: m.quad(lambda u: m.sqrt(1 + u**2), [y, x]),
     ),
     "piecewise": (sp.Piecewise((x, y > 0), (x**2, True)), lambda m, x, y: x**2),
+    "integral of one piece": (
+        sp.Integral(sp.Piecewise((sp.exp(u), abs(u) <= 2), (0, True)), (u, y, x)),
+        lambda m, x, y: m.exp(x) - m.exp(y),
+    ),
 }
 
 
@@ -93,6 +97,7 @@ UNDEFINED = {
     "piece not decided": sp.Piecewise(
         (x, sp.Gt(sp.sin(x) ** 2 + sp.cos(x) ** 2, 1, evaluate=False)), (y, True)
     ),
+    "integral over a seam": sp.Integral(sp.Piecewise((u, u < 0), (u**2, True)), (u, y, x)),
     "sum to no integer": sp.Sum(i, (i, 1, x)),
     "sum that ends before it begins": sp.Sum(i, (i, 1, 3 * x - 3)),
     "argument of the zero vector": sp.atan2(3 * x - 1, y + sp.Rational(5, 7)),

@@ -203,8 +203,11 @@ def _put_together(parts: _Parts) -> Ball:
 
 def _piecewise(node: sp.Basic) -> Plan:
     def choose(values: Values) -> Ball:
+        # An integrand that is one piece throughout the real part of a box is that piece in the box:
+        # only its continuation from there is integrated.
+        real = {name: b.real if isinstance(b, acb) else b for name, b in values.items()}
         for expression, condition in node.args:
-            holds = decide(condition, values)
+            holds = decide(condition, real)
             if holds is None:
                 return NOT_FINITE
             if holds:

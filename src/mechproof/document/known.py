@@ -302,7 +302,8 @@ def read_piece(
 ) -> LawPiece | None:
     """Return the piece that relations say to be meant, None if they say more than a range."""
     ends: dict[bool, tuple[sp.Expr, bool]] = {}
-    for relation in relations:
+    where = tuple(part for one in relations for part in _open_modulus(one, by))
+    for relation in where:
         if not isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge):
             return None
         end, lower = find_end(relation, by), is_lower(relation, by)
@@ -310,9 +311,17 @@ def read_piece(
             return None
         ends[lower] = (end, isinstance(relation, _CLOSED))
     low, high = (ends.get(lower, (None, False)) for lower in (True, False))
-    where = tuple(relations)
     closed = low[1], high[1]
     return LawPiece(name, value, by, where, low[0], high[0], closed) if ends else None
+
+
+def _open_modulus(relation: sp.Basic, by: sp.Basic) -> tuple[sp.Basic, ...]:
+    """Write |x| <= a, where x is the letter of a range, as the two relations that it stands for."""
+    is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge)
+    if not is_order or relation.lts != sp.Abs(by):
+        return (relation,)
+    order = sp.Le if isinstance(relation, _CLOSED) else sp.Lt
+    return order(by, relation.gts), order(-relation.gts, by)
 
 
 def _order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
