@@ -372,6 +372,27 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["let b=f(2c)"],
         ),
         (r"With $b=2q+h$ the way is $$y=b+q$$", ["h :", "let b=2q+h"], []),
+        # A chain says two things, a number nothing that a row could state.
+        (
+            r"Writing $q=b/c=\sin h$ we obtain $$y=q\cos h+bc$$",
+            ["let q=b/c", r"claim q=\sin h"],
+            [],
+        ),
+        (r"with $q=2b+h=40$ mm we have $$y=qb$$", ["let q=2b+h"], ["claim q=40"]),
+        (r"The whole angle is $2q=\pi-b$. $$y=cq+b$$", [r"let q=\frac{\pi-b}{2}"], []),
+        (r"We write $2q+1=b$. $$y=cq+b$$", [], ["let q=b"]),
+        # What a letter is at a place.
+        (
+            r"$$x(q)=b\cos q$$ At the end, $q=\pi$, it is $$x_1=-b$$",
+            [r"# claim x=-b\quad\text{for }q=\pi"],
+            [],
+        ),
+        (
+            r"$$x(q)=b\cos q$$ The way is largest at $q=0$: $$x_{\max}=b$$",
+            [r"# claim x=b\quad\text{for }q=0"],
+            [],
+        ),
+        (r"$$x(q)=b\cos q$$ With $q=0$ known, the spring has $$x_1=-b$$", [], ["# claim x=-b"]),
         # What holds in a case is no rival of it.
         (
             r"With $b=2q+h$ the way is $$y=b+q$$ It is largest at $b=1/2$.",

@@ -17,6 +17,7 @@ from mechproof.document.constraints.witnesses import find_points
 from mechproof.document.misprints import FEW
 from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Task
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import compare
@@ -156,7 +157,7 @@ def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
     domain = Domain.of(task.paper, task.row.on, inside)
     says = task.row.statement
     sides = [says.printed, says.rebuilt] if isinstance(says, Equality) else []
-    sides = [domain.resolve(side) for side in sides if isinstance(side, sp.Expr)]
+    sides = [domain.resolve(side) for side in sides if not is_matrix(side)]
     try:
         # Points are tried first: most choices of letters are refuted by one.
         if len(sides) == 2 and compare(sides[0], sides[1], domain).counterexample:

@@ -24,12 +24,19 @@ DISPLAY = re.compile(
     re.DOTALL,
 )
 _INLINE = re.compile(r"(?<![\\$])\$(?P<dollar>[^$]{1,120}?)\$|\\\((?P<bracket>.{1,120}?)\\\)")
-EQUATION = re.compile(r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)\s*[.,;]?\s*\Z")
+EQUATION = re.compile(
+    r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)(?P<rest>(?:\s*=[^=<>]+)*?)\s*[.,;]?\s*\Z"
+)
+# A multiple of a letter.
+_MULTIPLE = re.compile(r"(?P<number>\d+)\s*(?P<letter>\\?[A-Za-z].*)")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words before something that holds in one case; "at" before the value of a speed is none.
-_CASE = re.compile(r"\b(?:when(?:ever)?|if|once|until|at|for)\s+\Z", re.IGNORECASE)
+_CASE = re.compile(
+    r"\b(?:(?:when(?:ever)?|if|once|until|at|for)\s+|at\s+(?:the\s+)?[a-z]+(?:\s+[a-z]+)?,\s+)\Z",
+    re.IGNORECASE,
+)
 # Words of a sentence that defines no letter: it denies, assumes, solves or tells of a position.
 _NO_DEFINITION = re.compile(
     r"\b(?:not|never|nor|unless|instead|rather|wrong\w*|special|case|small|approximat\w+|initial\w*"
@@ -61,7 +68,7 @@ class Inline:
     """What a sentence says of a letter, the line where, and whether words tell of a case.
 
     `is_varying` tells that they speak of a change; `end` is the place in the text behind it,
-    `offset` where it stands in the files.
+    `offset` where it stands in the files; `others` are further members of a chain.
     """
 
     letter: str
@@ -73,6 +80,7 @@ class Inline:
     is_varying: bool = False
     end: int = 0
     offset: int = 0
+    others: tuple[str, ...] = ()
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -93,12 +101,16 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     for match in _INLINE.finditer(text):
         inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
         found = EQUATION.match(expand(inside, macros).string)
-        letter = names.get(name_symbol(found["letter"])) if found else None
+        left, value = found.group("letter", "value") if found else ("", "")
+        letter = names.get(name_symbol(left))
+        if (times := _MULTIPLE.fullmatch(left)) and name_symbol(times["letter"]) in names:
+            letter = names[name_symbol(times["letter"])]
+            value = rf"\frac{{{value}}}{{{times['number']}}}"
         if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]
         if found is None or letter is None:
             continue
-        value = found["value"]
+        others = tuple(part.strip() for part in found["rest"].split("=")[1:])
         offset = source.text.offsets[match.start()]
         line = source.files.locate(offset).line
         behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
@@ -108,7 +120,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
         end = match.end()
-        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset)
+        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset, others)
 
 
 def defines_nothing(before: str) -> bool:

@@ -14,6 +14,7 @@ from mechproof.document.double_signs import find_imaginary_unit
 from mechproof.document.drafts import drafted_lines
 from mechproof.document.drafts.said_values import (
     ask_extremes,
+    ask_places,
     ask_what_follows,
     find_extremes,
     propose_relations,
@@ -88,6 +89,7 @@ def draft_block(source: Source) -> str:
         *propose_relations(source, [*running], displays),
         *find_extremes(source, running),
         *ask_extremes(displays, running),
+        *ask_places(source, displays, running),
         *drafted_lines.ask_zeros(displays),
         *drafted_lines.write_factors(factors, entries),
         *((f"imaginary {unit}",) if unit else ()),

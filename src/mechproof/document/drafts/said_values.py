@@ -71,6 +71,16 @@ _NAMED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
 )
+# A letter with an index, and words that tell at which place it is the value of the letter.
+_INDEXED = re.compile(
+    r"\s*&?(?P<stem>[^_=&]+)_(?:\w|\{[^{}]*(?:\{[^{}]*\})?[^{}]*\})(?P<primes>'*)"
+    r"\s*&?=\s*(?P<value>[^=]+)"
+)
+_AT_PLACE = re.compile(
+    r"\b(?:at|for|when|where)\s+(?:[\w\s]{1,30},\s+)?\$(?P<place>[^$=]{1,20}=[^$=]{1,40})\$,?"
+    r"(?:\s+(?:is|becomes|equals|reads|amounts\s+to|has\s+the\s+value|it\s+is|we\s+\w+))?:?\s*\Z",
+    re.IGNORECASE,
+)
 _MARKS = re.compile(r"\\d*dot\b|[\s{}']")
 
 
@@ -118,6 +128,8 @@ def propose_values(
             line = f"sizes {one.letter}={size}" if size else ""
         if line:
             yield from (f"# line {one.line} says:", line)
+            said_too = (x for x in one.others if _has_letter(x, name, letters))
+            yield from (f"claim {one.letter}={other}" for other in said_too)
     if alike:
         yield "# By analogy:"
         yield from (f"let {letter}={value}" for letter, value in alike.items())
@@ -195,6 +207,27 @@ def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Ite
             which = "largest" if said["kind"] == "max" else "least"
             yield f"# {display.name}: is that the {which} value of {letter} over all {by}?"
             yield rf"# claim \{said['kind']}_{{{by}}}{letter}={value}"
+
+
+def ask_places(
+    source: Source, displays: Sequence[Printed], running: Mapping[str, str]
+) -> Iterator[str]:
+    r"""Yield values at places that displays print behind words: at $\varphi=0$ it is x_0=r+l."""
+    known = {name_symbol(letter) for letter, by in running.items() if by}
+    shown = source.text.string
+    starts = {source.text.offsets.index(one.latex.offsets[0]): one for one in displays}
+    for match in DISPLAY.finditer(shown):
+        inside = (one for start, one in starts.items() if match.start() < start < match.end())
+        place = _AT_PLACE.search(shown, max(match.start() - _NEAR, 0), match.start())
+        display = next(inside, None)
+        said = _INDEXED.match(display.latex.string) if display and place else None
+        if not (said and display and place):
+            continue
+        letter, value = said["stem"].strip() + said["primes"], said["value"].strip(" ,.;")
+        if name_symbol(_MARKS.sub("", letter)) in known:
+            at = place["place"]
+            yield f"# {display.name}: is that the value of {letter} for {at}?"
+            yield rf"# claim {letter}={value}\quad\text{{for }}{at}"
 
 
 def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
