@@ -30,6 +30,8 @@ EQUATION = re.compile(
 # A multiple of a letter.
 _MULTIPLE = re.compile(r"(?P<number>\d+)\s*(?P<letter>\\?[A-Za-z].*)")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
+# A letter of which a sentence says what it depends on: M(x).
+CALL = re.compile(r"(?P<stem>.+?)\s*\(\s*(?P<by>\\?[A-Za-z]+)\s*\)")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words before something that holds in one case; "at" before the value of a speed is none.
@@ -53,6 +55,8 @@ _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+
 _BEFORE = 70
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
+# What stands between equations of one display.
+_PARTS = re.compile(r"\\q?quad(?![A-Za-z])|(?<![_{])\\(?:text|mbox)\s*\{[^{}]*\}")
 _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
@@ -68,7 +72,8 @@ class Inline:
     """What a sentence says of a letter, the line where, and whether words tell of a case.
 
     `is_varying` tells that they speak of a change; `end` is the place in the text behind it,
-    `offset` where it stands in the files; `others` are further members of a chain.
+    `offset` where it stands in the files; `others` are further members of a chain, `by` what the
+    letter is said to depend on.
     """
 
     letter: str
@@ -81,6 +86,7 @@ class Inline:
     end: int = 0
     offset: int = 0
     others: tuple[str, ...] = ()
+    by: str = ""
 
     def write_size(self, unit: str) -> str:
         """Return the size in a unit, nothing for one of another dimension."""
@@ -106,6 +112,9 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         if (times := _MULTIPLE.fullmatch(left)) and name_symbol(times["letter"]) in names:
             letter = names[name_symbol(times["letter"])]
             value = rf"\frac{{{value}}}{{{times['number']}}}"
+        by = ""
+        if letter is None and (call := CALL.fullmatch(left)):
+            letter, by = names.get(name_symbol(call["stem"])), call["by"]
         if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
             letter = found["letter"]
         if found is None or letter is None:
@@ -120,7 +129,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
         end = match.end()
-        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset, others)
+        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset, others, by)
 
 
 def defines_nothing(before: str) -> bool:
@@ -149,10 +158,11 @@ def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
 def find_printed_units(displays: Iterable[Printed]) -> Iterator[tuple[str, str, int]]:
     """Yield letters that displays begin with, the unit of their number, and where it stands."""
     for printed in displays:
-        letter, *members = _SIGNS.split(printed.latex.string)
-        units = (read_quantity(member.strip(" \n.,;~"))[1] for member in members)
-        if unit := next(filter(None, units), ""):
-            yield letter.strip(), unit, printed.latex.offsets[0]
+        for part in _PARTS.split(printed.latex.string):
+            letter, *members = _SIGNS.split(part)
+            units = (read_quantity(member.strip(" \n.,;~"))[1] for member in members)
+            if unit := next(filter(None, units), ""):
+                yield letter.strip(), unit, printed.latex.offsets[0]
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:

@@ -63,9 +63,8 @@ def draft_block(source: Source) -> str:
     entries = drafted_lines.list_entries(collected, shapes, prints, respect, functions)
     inline = _find_inline(source, entries)
     values = [one.value for _, one in inline if one.number is None]
-    for base, by in map(
-        drafted_lines.split_letter, collect_letters(values, guess=True, imaginary=unit).letters
-    ):
+    beside = collect_letters(values, guess=True, imaginary=unit)
+    for base, by in map(drafted_lines.split_letter, beside.letters):
         entries.setdefault(name_symbol(base), drafted_lines.DraftedLetter({base: None}, by))
     _take_inline(inline, entries, said)
     heads = find_head_units(document.tables, document.symbols.reader())
@@ -74,7 +73,8 @@ def draft_block(source: Source) -> str:
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
     # A matrix needs no such line: a bracket behind it is a factor unless it is an argument.
-    factors = [x for x in collected.factors if name_symbol(x) not in shapes]
+    brackets = dict.fromkeys([*collected.factors, *beside.factors])
+    factors = [x for x in brackets if name_symbol(x) not in shapes]
     lines = [
         *chain.from_iterable(
             drafted_lines.write_letter(name, entry, shapes.get(name), said.get(name))
@@ -111,6 +111,8 @@ def _take_inline(
     """Enter what sentences say of letters: their units, and that those with rates move."""
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
+        if one.by and (depending := entries.get(name)):
+            depending.running = depending.running or one.by
         for rate in RATE.finditer(f"{one.letter}={one.value}"):
             if moving := entries.get(name_symbol(rate[1])):
                 moving.running = moving.running or "t"

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.document.example_values import find_example
 from mechproof.nomenclature.inline import (
+    CALL,
     DISPLAY,
     EQUATION,
     RATE,
@@ -38,6 +39,8 @@ _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 # A letter, or its opposite or a multiple, alone or turned by parts of pi.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 _MULTIPLE = r"(?:\d+|\\d?t?frac\s*(?:\d\d|\{\d+\}\s*\{\d+\}))?\s*"
+# An index that is one sign.
+_BRACED = re.compile(r"_\{\s*(\w|\\[A-Za-z]+)\s*\}")
 # A letter with a second derivative: its first one is not constant.
 _SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 _KINDS = {
@@ -146,7 +149,8 @@ def propose_relations(
         if not (match["left"] and _INTRODUCED.search(before)):
             continue
         left, right = match["left"].strip(), match["right"].strip()
-        is_letter = name_symbol(left) in names or RATE.fullmatch(left)
+        call = CALL.fullmatch(left)
+        is_letter = name_symbol(call["stem"] if call else left) in names or RATE.fullmatch(left)
         if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
             offset = source.text.offsets[match.start()]
             line = source.files.locate(offset).line
@@ -167,9 +171,9 @@ def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
 
 def _is_position(value: str, letters: Sequence[str]) -> bool:
     """Return whether a value is another letter or its multiple, or one turned by parts of pi."""
-    names = "|".join(re.escape(letter) for letter in letters)
+    names = "|".join(re.escape(_BRACED.sub(r"_\1", letter)) for letter in letters)
     turned = rf"\s*(?:{_TURN}[-+]\s*)?{_MULTIPLE}(?:{names})\s*(?:/\s*\d+\s*)?(?:[-+]{_TURN})?"
-    return bool(re.fullmatch(turned, value))
+    return bool(re.fullmatch(turned, _BRACED.sub(r"_\1", value)))
 
 
 def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
