@@ -28,7 +28,27 @@ ARM = (
 )
 TURN = r"\begin{pmatrix}\cos\theta&-\sin\theta\\\sin\theta&\cos\theta\end{pmatrix}"
 JACOBIAN = r"\frac{\partial\mathbf p}{\partial\mathbf q}"
+# The turn about a unit vector (Rodrigues), and the matrix by which it is multiplied.
+UNIT = "a^2+b^2+c^2=1"
+CROSS = r"\mathbf K=\begin{pmatrix}0&-c&b\\c&0&-a\\-b&a&0\end{pmatrix}"
+ONE = r"\mathbf E=\begin{pmatrix}1&0&0\\0&1&0\\0&0&1\end{pmatrix}"
+RODRIGUES = r"\mathbf R=\mathbf E+\mathbf K\sin u+\mathbf K^2(1-\cos u)"
 CASES = {
+    "entries that follow from a constraint": (
+        [UNIT, CROSS, ONE, RODRIGUES, r"\mathbf K^3=-\mathbf K", r"\mathbf R\mathbf R^T=\mathbf E"],
+        [*["DEFINITION"] * 4, "PROVED", "PROVED"],
+    ),
+    "entries one of which does not follow": (
+        [
+            UNIT,
+            CROSS.replace("-b&a", "b&a"),
+            ONE,
+            RODRIGUES,
+            r"\mathbf K^3=-\mathbf K",
+            r"\mathbf R\mathbf R^T=\mathbf E",
+        ],
+        [*["DEFINITION"] * 4, "not judged", "not judged"],
+    ),
     "derivatives of a vector by another, in either layout": (
         [
             *ARM,

@@ -128,8 +128,8 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
-        end = match.end()
-        yield Inline(letter, value, line, number, unit, is_case, is_varying, end, offset, others, by)
+        words = (is_case, is_varying, match.end(), offset)
+        yield Inline(letter, value, line, number, unit, *words, others, by)
 
 
 def defines_nothing(before: str) -> bool:

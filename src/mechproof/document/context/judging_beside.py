@@ -10,6 +10,8 @@ from itertools import chain
 import sympy as sp
 
 from mechproof.document.constraints.consequences import (
+    COMBINATION,
+    MULTIPLE,
     find_consequence,
     list_applicable,
     list_letters,
@@ -29,6 +31,7 @@ from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import settle_all
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
+from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Conjunction, Definition, Equality, RecordError
 from mechproof.statement_domains.domain import Domain
@@ -48,13 +51,38 @@ def judge_beside(
     answer = None
     for task in filter(None, (tasks[number], tasks[number].special)):
         rows = [list_entries(t, letters) if letters else [t] for t in (task, *before)]
-        one, given = rows[0][0] if len(rows[0]) == 1 else None, [*chain(*rows[1:])]
-        if one and one.residual is not None:
-            found = find_consequence(one, [*state_at(given, one)])
-            answer = _replace(task, *found) if found else answer
+        entries, given = rows[0], [*chain(*rows[1:])]
+        if task.residual is None:
+            entries = list_entries(task, letters)
+        found = _find_consequence_of_entries(entries, given) if given else None
+        answer = _replace(task, *found) if found else answer
         if answer and answer.verdict is Verdict.PROVED:
             break
     return answer
+
+
+def _find_consequence_of_entries(
+    entries: Sequence[Task], given: Sequence[Task]
+) -> tuple[Verdict, str, str] | None:
+    """Judge an equation by constraints, or one of matrices, each entry of which has to follow."""
+    if len(entries) == 1:
+        (one,) = entries
+        known = [*state_at(given, one)] if one.residual is not None else []
+        return find_consequence(one, known) if known else None
+    reasons: dict[str, None] = {}
+    rung = MULTIPLE
+    for one in entries:
+        zero = Equality(sp.sympify(one.residual), sp.S.Zero, "member")
+        if decide(zero, Domain.of(one.paper, one.row.on)).verdict is Verdict.PROVED:
+            continue
+        found = find_consequence(one, [*state_at(given, one)])
+        if not found or found[0] is not Verdict.PROVED:
+            return None
+        # What an entry is multiplied by is left out; which constraints it follows from is not.
+        reasons[found[2].partition(":")[0] if found[1] == MULTIPLE else found[2]] = None
+        rung = rung if found[1] == MULTIPLE else COMBINATION
+    said = f"each entry that differs {'; '.join(reasons)}"
+    return (Verdict.PROVED, rung, said) if reasons else None
 
 
 def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
