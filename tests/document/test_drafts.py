@@ -103,6 +103,9 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
     assert line in [one.removeprefix("%% ") for one in found]
 
 
+SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
+
+
 @pytest.mark.parametrize(
     ("text", "lines", "missing"),
     [
@@ -372,6 +375,18 @@ def test_words_say_what_letters_mean(words: str, line: str) -> None:
             ["let b=f(2c)"],
         ),
         (r"With $b=2q+h$ the way is $$y=b+q$$", ["h :", "let b=2q+h"], []),
+        # Unit matrices, and a vector that a sentence gives.
+        (
+            rf"$${SKEW}$$ $$R=I+K\sin u$$",
+            ["I 2x2 :", r"let I=\begin{pmatrix}1&0\\0&1\end{pmatrix}"],
+            [],
+        ),
+        (rf"$${SKEW}$$ $$R=IK+K\sin u$$", [], [r"let I=\begin{pmatrix}1&0\\0&1\end{pmatrix}"]),
+        (
+            rf"Let $\bm n=(a,b)^T$. $${SKEW}$$ $$K^2=\bm n\bm n^T-I$$",
+            [r"\bm{n} 2x1 :", r"let \bm{n}=(a,b)^T"],
+            [r"\bm{n} 2x2 :"],
+        ),
         # A chain says two things, a number nothing that a row could state.
         (
             r"Writing $q=b/c=\sin h$ we obtain $$y=q\cos h+bc$$",

@@ -31,6 +31,16 @@ def _is_vector(node: tree.Node) -> bool:
     return isinstance(node, tree.Letter) and is_vector(node.text)
 
 
+def _is_outer(one: tree.Node, other: tree.Node) -> bool:
+    """Return whether a product is that of a vector and itself transposed."""
+    of = other.of if isinstance(other, tree.Transposed) else None
+    if isinstance(other, tree.Power) and getattr(other.exponent, "text", "") == "T":
+        of = other.base
+    if not (isinstance(one, tree.Letter) and isinstance(of, tree.Letter)):
+        return False
+    return _is_vector(one) and not _is_bold_capital(one) and of.symbol == one.symbol
+
+
 def _is_bold_capital(node: tree.Node) -> bool:
     """Return whether a factor is a letter that is no number: a matrix, if it is not a vector."""
     inside = node.of if isinstance(node, tree.Transposed) else node
@@ -254,6 +264,10 @@ class Shapes:
         shapes = list(map(self.measure, node.factors))
         if shape == NUMBER or self._is_cross(node):
             return
+        for one, other in pairwise(node.factors):
+            if _is_outer(one, other):
+                self._push(one, (shape[0], 1))
+                return
         if shapes.count(None) > 1:
             # Beside a vector, unknown letters are taken to be numbers.
             shapes = [

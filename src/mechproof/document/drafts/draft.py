@@ -6,7 +6,7 @@ Nothing of a draft is used before it stands in the paper.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
@@ -35,6 +35,10 @@ _LIMIT = 10.0
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
+# Letters for unit matrices: I, \mathbf{1}, I_3.
+_UNIT_MATRIX = re.compile(
+    r"(?:\\(?:mathbf|mathbb|mathrm|bm|boldsymbol)\s*\{?\s*)?[I1]\s*\}?(?:_\{?\s*\d[^{}]*\}?)?"
+)
 
 
 def draft_block(source: Source) -> str:
@@ -50,7 +54,8 @@ def draft_block(source: Source) -> str:
     if find_pi(said):
         collected.letters.append(r"\pi")
     letters = [*collected.letters, *collected.guessed]
-    found = find_sizes(plain, collected)
+    formulas = (one for one in find_inline(source, letters) if one.number is None)
+    found = find_sizes([*plain, *(f"{x.letter}={x.value}" for x in formulas)], collected)
     document = Document(replace(source, lines=[], has_block=False))
     shapes = document.find_sizes(_LIMIT) | found.known
     unclear = [
@@ -84,6 +89,7 @@ def draft_block(source: Source) -> str:
         *(f"[{x}] 3x3 :" for x in letters if name_symbol(x) in found.crosses),
         *drafted_lines.ask_sizes(map(drafted_lines.strip_arguments, unclear)),
         *(_EULER if has_euler else ()),
+        *_write_unit_matrices(prints, entries, shapes, said),
         *drafted_lines.write_counts(prints, readable, entries, said, source.text.string),
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running], displays),
@@ -101,6 +107,35 @@ def draft_block(source: Source) -> str:
     is_markdown = is_markdown_name(source.files.names[0])
     first, mark, last = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
     return "\n".join([first, *(f"{mark}{line}" for line in lines), last, ""])
+
+
+def _write_unit_matrices(
+    prints: Sequence[str],
+    entries: Mapping[str, drafted_lines.DraftedLetter],
+    shapes: Mapping[str, tuple[int, int]],
+    said: Mapping[str, Said],
+) -> Iterator[str]:
+    """Yield unit matrices: letters for them that are only added, or stand alone on a side."""
+    for name, entry in entries.items():
+        rows, columns = shapes.get(name, (0, 1))
+        letter = next(iter(entry.names))
+        if rows != columns or name in said or not _UNIT_MATRIX.fullmatch(letter):
+            continue
+        places = [m for x in prints for m in re.finditer(re.escape(letter) + r"(?![\w{])", x)]
+        if places and all(map(_is_summand, places)):
+            lines = (["0"] * n + ["1"] + ["0"] * (rows - 1 - n) for n in range(rows))
+            matrix = r"\\".join(map("&".join, lines))
+            yield "# It is only added: the unit matrix."
+            yield rf"let {letter}=\begin{{pmatrix}}{matrix}\end{{pmatrix}}"
+
+
+def _is_summand(place: re.Match[str]) -> bool:
+    before, behind = place.string[: place.start()], place.string[place.end() :]
+    is_first = re.search(r"(?:\A|[-+=&(\[])\s*\Z", before)
+    is_last = re.match(r"[\s.,;]*(?:\Z|[-+=&)\]]|\\\\|\\right)", behind)
+    # What a letter is, an equation with it alone on its left says.
+    is_defined = re.fullmatch(r"\s*", before) and re.match(r"\s*&?=", behind)
+    return bool(is_first and is_last and not is_defined)
 
 
 def _take_inline(
