@@ -26,6 +26,12 @@ ROWS = [
     (r"b(a\cdot c)-c(a\cdot b)=0", (), PROVED),
     (r"\sin\omega t\cos\omega t=\frac12\sin2\omega t", (), PROVED),
     (r"\sin\omega t\cos\omega t=\frac12\sin\omega t", (), REFUTED),
+    (r"\sin\omega_dt\cos\omega_dt=\frac12\sin2\omega_dt", (), PROVED),
+    (
+        r"\sin\omega_{\mathrm{d}}t\cos\omega_{\mathrm d}t=\frac12\sin\omega_{\mathrm d}t",
+        (),
+        REFUTED,
+    ),
     (r"\cos^2bx+\sin^2bx=1", (), PROVED),
     (r"\sin2p\pi=2\sin p\pi\cos\pi p", (), PROVED),
     (r"\sin2p\pi=\sin p\pi\cos\pi p", (), REFUTED),

@@ -229,6 +229,16 @@ CASES = {
         [r"k=\frac mn=\cos\alpha", r"u=1-k^2=\sin^2\alpha", r"h=ak^2=a\sin^2\alpha"],
         ["DEFINITION", "not judged", "DEFINITION", "PROVED", "DEFINITION", "not judged"],
     ),
+    "roots of products of positive letters": (
+        [
+            r"u=\sqrt{\frac km}",
+            r"n=\frac h{2\sqrt{km}}",
+            r"m\ddot x+h\dot x+kx=0",
+            r"\ddot x+2un\dot x+u^2x=0",
+            r"\ddot x+un\dot x+u^2x=0",
+        ],
+        [*["DEFINITION"] * 3, "PROVED", "REFUTED"],
+    ),
     "tangents of one angle": (
         [
             r"\tan\psi=\frac{\tan\alpha}k",
@@ -334,6 +344,7 @@ def test_a_constraint_says_which_others_have_its_letters(latex: str, told: str) 
 
 # What a block says besides.
 SAID = {
+    "roots of products of positive letters": "%% where k>0\n%% where m>0\n",
     "the derivative of an angle whose tangent is printed": "%% \\eta(t) : angle [rad]\n",
     "a derivative by two constraints": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",
     "a second derivative by two": "%% \\eta(t) ; \\zeta(t) : angles [rad]\n",

@@ -139,7 +139,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"with $c_p=\cos p$ $$y=c_pc_q+p+q$$", [r"let c_{q}=\cos q"], []),
         (
             r"with $c_p=\cos p$ and the stiffness $c_q$ $$y=c_pc_q+p+q$$",
-            [r"let c_{p}=\cos p", "c_{q} : stiffness"],
+            [r"let c_{p}=\cos p", "c_{q} : stiffness {c_{q}>0}"],
             [r"let c_{q}=\cos q"],
         ),
         (r"when $b=c$ $$y=2b+c$$", ["# let b=c"], ["let b=c"]),

@@ -77,3 +77,31 @@ def test_what_moves_with_a_letter_is_not_fixed(
 def test_a_letter_may_be_given_by_its_own_rate(print_: str, outcome: str) -> None:
     *_, row = check("paper.tex", f"{MOTION}$$y=b-c\\dot y^2$$ $${print_}$$").rows
     assert row.outcome == outcome, row.reason
+
+
+INVOLUTE = r"""%% mechproof
+%% x(t) ; y(t) : coordinates
+%% t : angle {t>0}
+%% r ; L : lengths {r>0}
+%% factor r
+%% end
+\begin{align}x&=r(\cos t+t\sin t)\\y&=r(\sin t-t\cos t)\end{align}
+"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        # The letter by which is integrated stands for the end, on which x and y depend.
+        (r"\int_0^t\sqrt{\dot x^2+\dot y^2}\,d\tau=\frac{rt^2}2", "PROVED"),
+        (r"\int_0^t\sqrt{\dot x^2+\dot y^2}\,d\tau=rt^2", "REFUTED"),
+        (r"\int_0^ty\,d\tau=2r-2r\cos t-rt\sin t", "PROVED"),
+        # It stands for nothing where the end is printed in the integrand.
+        (r"\int_0^t\frac yt\,d\tau=y", "PROVED"),
+        (r"\int_0^rt\,d\tau=rt", "PROVED"),
+    ],
+)
+def test_an_integral_to_a_letter_that_moves_is_one_over_it(latex: str, outcome: str) -> None:
+    text = f"{INVOLUTE}\\begin{{equation}}{latex}\\end{{equation}}\n"
+    found = check("paper.tex", text.replace("%% end", "%% identity (3)\n%% end"))
+    assert found.rows[-1].outcome == outcome, found.rows[-1].reason

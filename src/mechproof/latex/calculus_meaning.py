@@ -25,6 +25,8 @@ from mechproof.latex.values import (
     differentiate,
     has_value,
     list_beside,
+    list_moving,
+    list_reached,
     list_steps,
     make_running,
     refuse_unknown,
@@ -308,9 +310,10 @@ def _bind(
     place = node.differential.start if node.differential else node.start
     if variable.is_Symbol:
         running = make_running(variable.name, integrand)
-        inside = settle(integrand, meaning.values, {variable: running})
-        moving = meaning.values.get(variable, sp.S.Zero).free_symbols
-        refuse_unknown(meaning, place, (inside, "in the integrand"), variable)
+        by = _find_argument(meaning, node, variable)
+        inside = settle(integrand, meaning.values, {by: running})
+        moving = meaning.values.get(by, sp.S.Zero).free_symbols
+        refuse_unknown(meaning, place, (inside, "in the integrand"), by)
     else:
         running = make_running("u", integrand)
         inside = integrand.xreplace({variable: running})
@@ -329,3 +332,17 @@ def _bind(
             "a variable.",
         )
     return running, inside
+
+
+def _find_argument(meaning: Meaning, node: Integration, variable: sp.Basic) -> sp.Basic:
+    r"""Return the letter for which the variable of integration is put into the integrand.
+
+    In \int_0^t\dot x\,d\tau that is t: x depends on it, and \tau stands nowhere else.
+    """
+    printed = {part.symbol for part in walk(node.integrand) if isinstance(part, Letter)}
+    end = node.high.symbol if isinstance(node.high, Letter) else variable
+    reached = list_reached(printed, meaning.values)
+    if variable in reached or end in printed or printed & list_moving(variable, meaning.moving):
+        return variable
+    is_meant = end in reached or printed & list_moving(end, meaning.moving)
+    return end if is_meant else variable

@@ -137,7 +137,7 @@ def make_running(name: str, inside: Any, *, counts: bool = False) -> sp.Dummy:
 def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.Basic) -> None:
     """Refuse a term in which what is said to depend on a letter has no value."""
     term, where = said
-    if unknown := _list_unknown(meaning, term, _list_moving(by, meaning.moving)):
+    if unknown := _list_unknown(meaning, term, list_moving(by, meaning.moving)):
         told = "depends on {}, and is" if len(unknown) == 1 else "depend on {}, and are"
         raise meaning.source.refuse(
             place,
@@ -149,7 +149,7 @@ def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.B
 def list_beside(meaning: Meaning, term: Any, by: sp.Basic) -> list[str]:
     """Return what has no value in a term and depends on what a letter depends on."""
     carrier = _find_carrier(by, meaning.moving)
-    beside = {carrier} | _list_moving(carrier, meaning.moving)
+    beside = {carrier} | list_moving(carrier, meaning.moving)
     return _list_unknown(meaning, term, beside) if by in beside - {carrier} else []
 
 
@@ -158,7 +158,7 @@ def _list_unknown(meaning: Meaning, term: Any, moving: set[sp.Basic]) -> list[st
     return sorted(map(str, list_reached(term.free_symbols, meaning.values) & moving - known))
 
 
-def _list_moving(by: sp.Basic, moving: Moving) -> set[sp.Basic]:
+def list_moving(by: sp.Basic, moving: Moving) -> set[sp.Basic]:
     """Return the letters that depend on another, also through others, and their derivatives."""
     met, new = set[sp.Basic](), {by}
     while new:

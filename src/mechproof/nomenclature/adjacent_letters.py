@@ -71,7 +71,7 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
             n = skip_power(texts, start + 1)
             while texts[n : n + 1] and is_digit(texts[n]):
                 n += 1
-            one, other, third = (*texts[n : n + 3], "", "", "")[:3]
+            one, other, third = _read_names(texts, n)
             met.append((one, other))
             if one in _RATES and other in going:
                 found.add((one, other))
@@ -86,9 +86,21 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
     return found | {
         (one, other)
         for one, other in met
-        if (one in _SPEEDS and other in ("t", r"\tau"))
+        if (one.partition("_")[0] in _SPEEDS and other in ("t", r"\tau"))
         or ((one in (*_RATES, *_SPEEDS) and other in RUNNING) and met.count((one, other)) > 1)
     }
+
+
+def _read_names(texts: Sequence[str], place: int) -> tuple[str, str, str]:
+    """Return the three signs that stand at a place, each with its index."""
+    names: list[str] = []
+    while len(names) < 3:
+        end = place + 1
+        if texts[end : end + 2] == ["_", "{"] and "}" in texts[end:]:
+            end = texts.index("}", end) + 1
+        names.append("".join(texts[place:end]))
+        place = end
+    return names[0], names[1], names[2]
 
 
 def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:

@@ -227,10 +227,10 @@ def add_shown(symbols: Symbols, prints: Sequence[str]) -> Symbols:
 
     And phases of letters without units, \cos\Omega t.
     """
-    names = {name: v.symbol for v in symbols.variables for name in v.latex}
+    names = {name_symbol(name): v.symbol for v in symbols.variables for name in v.latex}
     prints = [text for text in prints if _has_signs(text)]
     pairs = find_phases(prints)
-    shown = ((names.get(one), names.get(other)) for one, other in pairs)
+    shown = ([*map(names.get, map(name_symbol, pair))] for pair in pairs)
     found = {(one, other) for one, other in shown if {one, other} & symbols.bare and one and other}
     notation = replace(
         symbols.notation,

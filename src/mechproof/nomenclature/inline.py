@@ -36,7 +36,8 @@ _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words before something that holds in one case; "at" before the value of a speed is none.
 _CASE = re.compile(
-    r"\b(?:(?:when(?:ever)?|if|once|until|at|for)\s+|at\s+(?:the\s+)?[a-z]+(?:\s+[a-z]+)?,\s+)\Z",
+    r"\b(?:(?:when(?:ever)?|if|once|until|at|for)\s+"
+    r"|(?:at|with|under|assuming)\s+(?:(?:the|an?)\s+)?[a-z]+(?:\s+[a-z]+)?,\s+)\Z",
     re.IGNORECASE,
 )
 # Words of a sentence that defines no letter: it denies, assumes, solves or tells of a position.

@@ -21,8 +21,10 @@ from mechproof.document.constraints.witnesses import hold_together
 from mechproof.document.tasks import Task
 from mechproof.latex.values import settle_all
 from mechproof.proof.ladder import decide
+from mechproof.proof.signs import is_positive
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Definition, Equality, Holds
+from mechproof.record.parts import find_roots
 from mechproof.statement_domains.domain import Domain
 
 MULTIPLE = "multiple of a constraint"
@@ -41,6 +43,10 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
     Only constraints that hold together somewhere on the domain prove anything.
     """
     domain = Domain.of(task.paper, task.row.on)
+    task, *others = (
+        replace(one, residual=_split_roots(sp.sympify(one.residual), domain))
+        for one in (task, *others)
+    )
     for other in others:
         name = other.row.number
         multiple = find_multiple(task.residual, other.residual, domain)
@@ -54,6 +60,13 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
         if hold_together([other.residual], domain, list_factors_below(task.residual)):
             return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
     return _combine(task, others, domain) or _square(task, others, domain)
+
+
+def _split_roots(value: sp.Expr, domain: Domain) -> sp.Expr:
+    r"""Write roots of products by those of positive letters: \sqrt{km}\sqrt{k/m} is k then."""
+    letters = {s for root in find_roots(value) for s in root.free_symbols}
+    names = {s: sp.Dummy(str(s), positive=True) for s in letters if is_positive(s, domain)}
+    return value.xreplace(names).xreplace({name: s for s, name in names.items()})
 
 
 def _multiply(name: str, factor: sp.Expr) -> str:

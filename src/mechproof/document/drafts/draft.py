@@ -34,7 +34,7 @@ _LIMIT = 10.0
 # A letter e anywhere, and one that is raised to a power other than a number.
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
-_EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}"]
+_EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}", "factor e"]
 # Letters for unit matrices: I, \mathbf{1}, I_3.
 _UNIT_MATRIX = re.compile(
     r"(?:\\(?:mathbf|mathbb|mathrm|bm|boldsymbol)\s*\{?\s*)?[I1]\s*\}?(?:_\{?\s*\d[^{}]*\}?)?"

@@ -40,7 +40,8 @@ _NUMBER = re.compile(r"\b(?:number|count|order|index|integer)", re.IGNORECASE)
 # Quantities that are never negative; the position of a mass, or a mass ratio, is none of them.
 _POSITIVE = re.compile(
     r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
-    r"(?:radius|radii|diameters?|lengths?|mass(?:es)?)(?!\s+of\s+curvature)"
+    r"(?:radius|radii|diameters?|lengths?|mass(?:es)?|stiffness(?:es)?|spring|damper"
+    r"|(?:spring|damping)\s+(?:rate|constant|coefficient))(?!\s+of\s+curvature)"
     r"(?:\s+(?:of|in|at|on|for|to|from|between|and)\b|[^\w\s]|\s*\Z)",
     re.IGNORECASE,
 )
