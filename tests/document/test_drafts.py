@@ -387,6 +387,12 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [r"\bm{n} 2x1 :", r"let \bm{n}=(a,b)^T"],
             [r"\bm{n} 2x2 :"],
         ),
+        # A fraction behind an argument may belong to it.
+        (
+            r"$$y=2\tan b\frac{c+h}{q}$$",
+            ["c :", r"# factor \tan b"],
+            [r"factor \tan b"],
+        ),
         # A chain says two things, a number nothing that a row could state.
         (
             r"Writing $q=b/c=\sin h$ we obtain $$y=q\cos h+bc$$",

@@ -287,13 +287,13 @@ def _is_bracketed_matrix(parser: Parser) -> bool:
 
 
 def _check_bracket(parser: Parser, place: int) -> None:
-    r"""Refuse a bracket behind the argument of a function that begins at a place: \sin q(a+b)."""
-    if parser.text == "(" and not (side_conditions.is_bracketed(parser) or _is_apart(parser)):
+    r"""Refuse a bracket or fraction behind a function with its argument: \sin q(a+b)."""
+    asks = {"(": ("bracket", "the argument of a function"), r"\frac": ("fraction", "part of that")}
+    if parser.text in asks and not (side_conditions.is_bracketed(parser) or _is_apart(parser)):
+        what, whose = asks[parser.text]
         printed = parser.source.latex[parser.tokens[place].start : parser.end]
-        raise parser.refuse(
-            f"a bracket after {printed}: a factor, or the argument of a function?",
-            parser.remedies.bracket.format(printed),
-        )
+        remedy = parser.remedies.bracket.format(printed)
+        raise parser.refuse(f"a {what} after {printed}: a factor, or {whose}?", remedy)
 
 
 def _is_apart(parser: Parser) -> bool:

@@ -38,7 +38,7 @@ REMEDIES = Remedies(
     depends="If {0} depends on {1}, say so in the block of letters: {0}({1}) : its meaning. "
     "Otherwise:",
 )
-_ASKS = re.compile(r"a bracket after (.+?): a factor")
+_ASKS = re.compile(r"a (?:bracket|fraction) after (.+?): a factor")
 _INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
 _ITALICS = re.compile(r"([A-Za-z]+) in italics: a function")
 # The functions that the power -1 mostly means.

@@ -97,7 +97,7 @@ def draft_block(source: Source) -> str:
         *ask_extremes(displays, running),
         *ask_places(source, displays, running),
         *drafted_lines.ask_zeros(displays),
-        *drafted_lines.write_factors(factors, entries),
+        *drafted_lines.write_factors(factors, entries, prints),
         *((f"imaginary {unit}",) if unit else ()),
         *(f"function {name} is {meant}" for name, meant in collected.functions.items()),
     ]

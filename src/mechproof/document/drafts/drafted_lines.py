@@ -131,13 +131,22 @@ def write_counts(
     yield from (f"{kind} {next(iter(names))}" for kind, names in counted)
 
 
-def write_factors(factors: Iterable[str], entries: Mapping[str, DraftedLetter]) -> Iterator[str]:
-    """Yield the letters that a bracket behind them multiplies: they depend on nothing."""
+def write_factors(
+    factors: Iterable[str], entries: Mapping[str, DraftedLetter], prints: Sequence[str]
+) -> Iterator[str]:
+    r"""Yield the letters that a bracket behind them multiplies: they depend on nothing.
+
+    A fraction behind \tan\alpha may also belong to the argument.
+    """
     depending = {name for name, entry in entries.items() if entry.running}
     found = [x for x in factors if name_symbol(x).rstrip("'") not in depending]
-    if found:
+    asked = [x for x in found if any(rf"{x}\frac" in latex for latex in prints)]
+    if len(found) > len(asked):
         yield "# A bracket follows each of these: they are taken to multiply it."
-        yield from (f"factor {name}" for name in found)
+        yield from (f"factor {name}" for name in found if name not in asked)
+    for name in asked:
+        yield f"# A fraction follows {name}: a factor, or part of its argument?"
+        yield f"# factor {name}"
 
 
 def ask_sizes(letters: Iterable[str]) -> Iterator[str]:
