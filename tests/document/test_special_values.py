@@ -437,3 +437,24 @@ def test_a_member_with_the_same_letters_that_differs_is_told(latex: str, expecte
         "paper.tex", rf"{TRAIN}\begin{{equation}}i=1-\frac1{{i_0}}={latex}\end{{equation}}"
     ).rows[-1]
     assert expected in (row.outcome, row.reason[: len(expected)])
+
+
+RESONANCE = (r"r=\frac{k\eta^2}{1-\eta^2}", r"\eta=\frac uv", r"s=\frac{\eta+u}u")
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"\lim_{\eta\to\infty}r=-k", "PROVED"),
+        (r"\lim_{\eta\to\infty}r=k", "REFUTED"),
+        # What gives the letter stands beside it.
+        (r"\lim_{\eta\to0}s=1", "not read"),
+        (r"\lim_{\eta\to0}(k+u)=k", "not read"),
+    ],
+)
+def test_a_letter_that_is_given_goes_to_a_limit_if_what_gives_it_is_not_there(
+    latex: str, outcome: str
+) -> None:
+    block = "%% mechproof\n%% r ; s ; k ; u ; v ; \\eta : numbers\n%% end\n"
+    found = check("paper.tex", block + "".join(f"$${one}$$\n" for one in (*RESONANCE, latex)))
+    assert found.rows[-1].outcome == outcome, found.rows[-1].reason

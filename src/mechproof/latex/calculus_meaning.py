@@ -239,14 +239,16 @@ def _moves_by_rates(meaning: Meaning, value: sp.Expr, variable: sp.Symbol) -> bo
 def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
     """Return a limit, its variable bound."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
-    is_given = variable in meaning.values
-    if is_given or any(depends(s, {variable}, meaning.values) for s in point.free_symbols):
-        raise meaning.source.refuse(
-            node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
-        )
+    is_inside = any(depends(s, {variable}, meaning.values) for s in point.free_symbols)
     term = meaning.take_number(node.term, meaning.side(node.term))
     running = make_running(variable.name, term, counts=bool(variable.is_integer))
     inside = settle(split_tangents(term, (point,)), meaning.values, {variable: running})
+    # What gives the letter must not stand beside it: it would have to go to a limit, too.
+    moving = meaning.values.get(variable, sp.S.Zero).free_symbols
+    if is_inside or any(depends(s, moving, meaning.values) for s in inside.free_symbols):
+        raise meaning.source.refuse(
+            node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
+        )
     refuse_unknown(meaning, node.start, (inside, "in the limit"), variable)
     return sp.Limit(inside, running, point, node.side)
 
