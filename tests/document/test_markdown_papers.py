@@ -170,6 +170,13 @@ PAPERS = {
         "",
         [D, OPEN, R],
     ),
+    "what defines letters need not be put in": (
+        r"$$k=\frac{q}{2-2m^2}$$ $$n=\frac{uv\sin\alpha}{u+v}$$ $$a=\sqrt{\frac{4Fn}{bk}}$$"
+        r" $$p=\frac{2F}{ab}=\sqrt{\frac{Fk}{bn}}$$"
+        r" $$w=\frac za-\frac{z^2}{a^2}=\frac za(1-\frac za)$$",
+        "",
+        [D, D, D, D, OPEN, D, P],
+    ),
     "what is said to be positive": (
         r"$$x=r+\sqrt{l^2-r^2}$$ $$x=r+l\sqrt{1-r^2/l^2}$$",
         "x ; r ; l : lengths {l>0}",

@@ -22,12 +22,18 @@ from mechproof.document.row_sides import have_same_letters
 from mechproof.document.slips import find_slip
 from mechproof.document.source_rows import Document
 from mechproof.document.tasks import Role, Task
-from mechproof.document.where_true import WITH_DEFINITIONS, find_relations, tell_never_true
+from mechproof.document.where_true import (
+    WITH_DEFINITIONS,
+    find_relations,
+    list_shallow,
+    tell_never_true,
+)
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import AGREE, BOUND_AGREE
+from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Equality, Holds, PrintedNumber, RecordError
 from mechproof.sources.paper_files import read_source
@@ -132,6 +138,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = _find_mixture(task) or judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict in (Verdict.UNDECIDED, Verdict.ENCLOSED):
+        found = _prove_in_letters(task) or found
     if found.verdict is Verdict.DEFINITION:
         return _say_compared(task, found)
     if found.verdict is Verdict.REFUTED and are_exchanged(task):
@@ -174,6 +182,19 @@ def _judge_alone(task: Task) -> Judgement | str:
             return f"it is never true{WITH_DEFINITIONS}, but may be said of another case"
         return replace(found, reason=never)
     return _take_as_given(task, found)
+
+
+def _prove_in_letters(task: Task) -> Judgement | None:
+    """Judge an equation before all definitions are put in; None unless it is proved."""
+    for one in list_shallow(task):
+        domain = Domain.of(one.paper, one.row.on)
+        says = one.row.says
+        sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+        if sides and not any(map(is_matrix, sides)) and not are_seen_to_differ(sides, domain):
+            found = judge(one.row, one.paper)
+            if found.verdict is Verdict.PROVED:
+                return found
+    return None
 
 
 def _find_mixture(task: Task) -> Judgement | None:

@@ -19,6 +19,7 @@ from mechproof.document.misprints import FEW
 from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Task
 from mechproof.latex.matrix_meaning import is_matrix
+from mechproof.latex.values import list_reached
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.refutation import compare
@@ -29,6 +30,8 @@ from mechproof.statement_domains.domain import Domain
 
 # Completes the reason of a row that is never true: the definitions may be wrong instead.
 WITH_DEFINITIONS = " with what defines its letters"
+# How often definitions are put in before all of them are.
+_DEPTH = 3
 _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)
 
@@ -106,11 +109,36 @@ def decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
     return decide(state(one, other), domain).verdict is Verdict.PROVED
 
 
+def list_shallow(task: Task) -> Iterator[Task]:
+    """Yield an equation in letters as they are printed, then with what defines these put in once.
+
+    What holds whatever defines the letters is found there sooner than with all definitions put in.
+    """
+    sides, given = task.sign.sides, Domain.of(task.paper, task.row.on).given
+    if not (isinstance(task.row.says, Equality) and all(isinstance(x, sp.Expr) for x in sides)):
+        return
+    free = tuple(replace(v, given=None) for v in task.paper.variables)
+    for _ in range(_DEPTH):
+        letters = {s for side in sides for s in side.free_symbols} & given.keys()
+        if not letters:
+            return
+        row = replace(task.row, says=Equality(*sides, task.row.says.rebuilt_from))
+        paper = replace(task.paper, variables=free)
+        yield replace(task, row=row, paper=paper, residual=None)
+        # A letter by which another one is given waits until that is put in.
+        later = {s for one in letters for s in list_reached({one}, given) if s != one}
+        sides = tuple(side.xreplace({s: given[s] for s in letters - later}) for side in sides)
+
+
 def find_relations(task: Task) -> str:
     """Return relations of letters of which nothing is said, if an equation holds where they do.
 
     These say that lengths are positive, or angles acute.
     """
+    return next(filter(None, map(_find_relations, (*list_shallow(task), task))), "")
+
+
+def _find_relations(task: Task) -> str:
     free = Domain.of(task.paper, task.row.on)
     met = sorted(list_letters(task), key=str)
     letters = [s for s in met if free.within.get(s) == sp.S.Reals]
