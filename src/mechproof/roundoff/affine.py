@@ -57,8 +57,11 @@ class AffineMap:
         assert bar.scale is not None
         moves = [[evaluation.list_moves(e, bar.scale) for e in row] for row in self.rows]
         sizes = [[evaluation.compare(entry, bar) for entry in row] for row in self.rows]
-        moved = sort_moves(moves)
-        more = np.array([np.broadcast_arrays(*row) for row in sizes]) * _add_roundings(count + 1)
+        boxes = np.broadcast_shapes(*(np.shape(size) for row in sizes for size in row))
+        moved = sort_moves(moves, boxes)
+        boxes = moved.rest.shape[2:]
+        more = np.array([[np.broadcast_to(size, boxes) for size in row] for row in sizes])
+        more = more * _add_roundings(count + 1)
         norm = bound_stretch(replace(moved, rest=moved.rest + more / EPS))
         # The second factor is there as part of the roundings have already moved what is moved.
         norm = norm * (1 + EPS * len(self.entries.steps)) * (1 + 2 * EPS * norm)

@@ -42,13 +42,18 @@ class MovedMatrix:
     rest: Array
 
 
-def sort_moves(moves: Sequence[Sequence[Mapping[str, Interval]]]) -> MovedMatrix:
-    """Sort what roundings do; what moves one entry alone is in the rest."""
+def sort_moves(
+    moves: Sequence[Sequence[Mapping[str, Interval]]], boxes: tuple[int, ...] = ()
+) -> MovedMatrix:
+    """Sort what roundings do; what moves one entry alone is in the rest.
+
+    `boxes` is the shape of all boxes, where moves may be the same in each.
+    """
     known = [move for row in moves for cell in row for move in cell.items()]
     times = Counter(name for name, _ in known)
     shared = {name: place for place, name in enumerate(n for n in times if times[n] > 1)}
     sides = sorted({side for _, move in known if move.form for side in move.form.changes})
-    shape = np.broadcast_shapes(*(np.shape(move.low) for _, move in known))
+    shape = np.broadcast_shapes(boxes, *(np.shape(move.low) for _, move in known))
     size = (len(moves), len(moves[0]))
     parts = np.zeros((len(shared), 1 + len(sides), *size, *shape))
     rest = np.zeros((*size, *shape))
