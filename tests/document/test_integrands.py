@@ -83,6 +83,7 @@ INVOLUTE = r"""%% mechproof
 %% x(t) ; y(t) : coordinates
 %% t : angle {t>0}
 %% r ; L : lengths {r>0}
+%% s(t) : way
 %% factor r
 %% end
 \begin{align}x&=r(\cos t+t\sin t)\\y&=r(\sin t-t\cos t)\end{align}
@@ -99,6 +100,8 @@ INVOLUTE = r"""%% mechproof
         # It stands for nothing where the end is printed in the integrand.
         (r"\int_0^t\frac yt\,d\tau=y", "PROVED"),
         (r"\int_0^rt\,d\tau=rt", "PROVED"),
+        # Nor where it is a letter of its own, which moves.
+        (r"\int_0^tx\,ds=\int_0^tx\,dt", "not read"),
     ],
 )
 def test_an_integral_to_a_letter_that_moves_is_one_over_it(latex: str, outcome: str) -> None:

@@ -299,3 +299,19 @@ def test_vectors_without_a_block(name: str) -> None:
     equations, expected = CASES[name]
     lines = (f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in equations)
     assert [row.outcome for row in check("paper.tex", "\n".join(lines)).rows] == expected
+
+
+BLOCKS = r"""%% mechproof
+%% a ; b : numbers
+%% M ; K ; E 2x2 : matrices
+%% let E=\begin{pmatrix}1&0\\0&1\end{pmatrix}
+%% end
+$$a^2+b^2=1$$
+$$K=\begin{pmatrix}a&b\\-b&a\end{pmatrix}$$
+\begin{equation}\begin{pmatrix}KK^T&@\\0&KK^T\end{pmatrix}=\begin{pmatrix}E&0\\0&E\end{pmatrix}\end{equation}
+"""
+
+
+@pytest.mark.parametrize(("entry", "expected"), [("0", "PROVED"), ("M", "DEFINITION")])
+def test_no_entry_with_the_letter_of_a_matrix_is_left_out(entry: str, expected: str) -> None:
+    assert check("paper.tex", BLOCKS.replace("@", entry)).rows[-1].outcome == expected

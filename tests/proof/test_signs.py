@@ -3,11 +3,12 @@
 import pytest
 import sympy as sp
 
+from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.ladder import decide
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Holds
+from mechproof.record import Holds, Slack
 from mechproof.statement_domains.domain import Domain
 
 x, y, z, e = sp.symbols("x y z e", real=True)
@@ -169,3 +170,17 @@ def test_what_may_be_zero_divides_nothing() -> None:
     domain = Domain({}, (sp.Le(x * y, 1),), {})
     assert find_sign(1 - x * y, domain) == StrictSign(1, False)
     assert find_sign(1 / (1 - x * y), domain) is None
+
+
+POWERS = {
+    "a power with a letter above": (-x) ** y * (2 + x),
+    "an odd power": (-x) ** 3 * (2 + x),
+    "a divisor that may be zero": (2 + x) / (1 - x),
+}
+
+
+@pytest.mark.parametrize("name", POWERS)
+def test_the_sign_of_a_product_is_not_shown_by_other_powers(name: str) -> None:
+    domain = Domain({x: sp.Interval(0, 1, left_open=True), y: sp.S.Reals}, (), {})
+    assert not is_shown_there(Slack(POWERS[name], False), domain)
+    assert is_shown_there(Slack((2 + x) / x, True), domain)

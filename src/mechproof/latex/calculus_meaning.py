@@ -342,7 +342,8 @@ def _find_argument(meaning: Meaning, node: Integration, variable: sp.Basic) -> s
     In \int_0^t\dot x\,d\tau that is t: x depends on it, and \tau stands nowhere else.
     """
     printed = {part.symbol for part in walk(node.integrand) if isinstance(part, Letter)}
-    end = node.high.symbol if isinstance(node.high, Letter) else variable
+    is_said = variable in meaning.values or variable in meaning.moving
+    end = node.high.symbol if isinstance(node.high, Letter) and not is_said else variable
     reached = list_reached(printed, meaning.values)
     if variable in reached or end in printed or printed & list_moving(variable, meaning.moving):
         return variable

@@ -161,6 +161,8 @@ def multiply_signs(
     factors = sp.Mul.make_args(sp.factor(expression))
     for factor in factors:
         base, power = factor.as_base_exp()
+        if not power.is_Rational:
+            base, power = factor, sp.S.One
         found = find(base)
         if found is None:
             unshown *= factor

@@ -42,7 +42,7 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
     answer: Judgement | str = ""
     for kept in (letters, {t.sign.letter for t in given}):
         others = [entry for t in given for entry in list_entries(t, kept)]
-        answers = [_compare(entry, others, found) for entry in list_entries(task, kept)]
+        answers = [_compare(entry, others, found) for entry in list_all_entries(task, kept)]
         answer = min(answers, key=_weigh, default=_NO_NUMBERS)
         if isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED:
             break
@@ -62,8 +62,22 @@ def _weigh(answer: Judgement | str) -> int:
 def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
     """Return the entries of a row, in which such letters stand as printed, whatever defines them.
 
-    A row that is no equation has none.
+    Those with the letter of a matrix are left out. A row that is no equation has none.
     """
+    return [one for one in _list_entries(task, letters) if not _has_matrix(one)]
+
+
+def list_all_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
+    """Return all entries of a row, none where one has the letter of a matrix."""
+    entries = _list_entries(task, letters)
+    return [] if any(map(_has_matrix, entries)) else entries
+
+
+def _has_matrix(entry: Task) -> bool:
+    return bool(sp.sympify(entry.residual).has(sp.MatrixSymbol))
+
+
+def _list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
     says = task.row.says
     if not isinstance(says, Definition | Equality):
         return []
@@ -81,9 +95,8 @@ def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]
     values = list_given(variables)
     paper = replace(task.paper, variables=variables)
     return [
-        replace(task, residual=residual, paper=paper)
+        replace(task, residual=settle_all(entry, values), paper=paper)
         for entry in (rest if isinstance(rest, sp.MatrixBase) else [rest])
-        if not (residual := settle_all(entry, values)).has(sp.MatrixSymbol)
     ]
 
 

@@ -17,7 +17,7 @@ from mechproof.document.constraints.consequences import (
     list_letters,
     state_at,
 )
-from mechproof.document.constraints.following import list_entries
+from mechproof.document.constraints.following import list_all_entries, list_entries
 from mechproof.document.constraints.solutions import (
     SUBSTITUTION,
     Solutions,
@@ -53,7 +53,7 @@ def judge_beside(
         rows = [list_entries(t, letters) if letters else [t] for t in (task, *before)]
         entries, given = rows[0], [*chain(*rows[1:])]
         if task.residual is None:
-            entries = list_entries(task, letters)
+            entries = list_all_entries(task, letters)
         found = _find_consequence_of_entries(entries, given) if given else None
         answer = _replace(task, *found) if found else answer
         if answer and answer.verdict is Verdict.PROVED:
