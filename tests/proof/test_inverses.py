@@ -82,13 +82,13 @@ TABLES = {
             r"\operatorname{atan2}(y,x)=2\arctan\frac{\sqrt{x^2+y^2}+x}y",
             "y>0",
         ),
-    ),
-    TURNS: (
         (
             r"\arctan x+\arctan y=\pi+\arctan\frac{x+y}{1-xy}",
             r"\arctan x+\arctan y=\arctan\frac{x+y}{1-xy}",
             "x>0, xy>1",
         ),
+    ),
+    TURNS: (
         (
             r"2\arctan\frac{A+\sqrt{A^2+B^2-C^2}}{B+C}"
             r"=\arctan\frac AB+\arccos\frac C{\sqrt{A^2+B^2}}",
