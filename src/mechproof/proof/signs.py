@@ -146,19 +146,19 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
             met.append(one)
         return one or (find_sign(base, domain) if base != expression else None)
 
-    sign = multiply_signs(expression, find)
+    sign = multiply_signs(sp.factor(expression), find)
     return sign if met else None
 
 
 def multiply_signs(
-    expression: sp.Expr, find: Callable[[sp.Expr], StrictSign | None]
+    product: sp.Expr, find: Callable[[sp.Expr], StrictSign | None]
 ) -> StrictSign | None:
     """Return the sign of a product from those of its factors; None where one is not shown.
 
     Those that are not shown by themselves may be shown together.
     """
     sign, unshown = StrictSign(1, True), sp.S.One
-    factors = sp.Mul.make_args(sp.factor(expression))
+    factors = sp.Mul.make_args(product)
     for factor in factors:
         base, power = factor.as_base_exp()
         if not power.is_Rational:
