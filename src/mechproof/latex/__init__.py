@@ -1,7 +1,7 @@
-"""LaTeX as papers print it -> SymPy, driven by the symbols that a paper declares.
+"""LaTeX as papers print it -> SymPy, guided by the symbols that a paper declares.
 
-Nothing is guessed: a print that could be read in two ways is a `ReadingError` with its place and
-the ways to declare it. Imports SymPy and the records alone.
+Nothing is guessed: a print that could be read in two ways raises a `ReadingError` that gives the
+place and the ways to declare which is meant. Imports only SymPy and the records.
 """
 
 from mechproof.latex.errors import ReadingError

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
 _CLOSED_BY = {"(": ")", "[": "]"}
-# For each sign that opens a rounding bracket: the one that closes it, and its function.
+# Each sign that opens a rounding bracket -> the sign that closes it, and its function.
 _ROUNDING = {
     r"\lfloor": (r"\rfloor", tree.PrintedFunction("floor", sp.floor)),
     r"\lceil": (r"\rceil", tree.PrintedFunction("ceil", sp.ceiling)),
@@ -30,7 +30,7 @@ _ROUNDING = {
 
 
 def read_atom(parser: Parser) -> tree.Node:
-    """Read what stands between two operators."""
+    """Read the operand at the current place, up to the next operator."""
     start = parser.start
     text = parser.text
     if is_digit(text):
@@ -40,7 +40,7 @@ def read_atom(parser: Parser) -> tree.Node:
     if text in VECTORS and [token.text for token in parser.rest[1:4]] == ["{", "0", "}"]:
         for _ in range(4):
             parser.take()
-        # Zero stands for a matrix of zeros beside a matrix.
+        # Next to a matrix, a zero stands for a matrix of zeros.
         return tree.Number("0", start=start, end=parser.end)
     if text == r"\frac" and printed_derivatives.is_derivative(parser):
         return printed_derivatives.read_derivative(parser)
@@ -84,7 +84,7 @@ def _read_bracket(parser: Parser) -> tree.Node:
 
 
 def _read_cross(parser: Parser, bracket: tree.Bracket) -> tree.Node:
-    r"""Read [a]_\times, the matrix by which a cross product multiplies."""
+    r"""Read [a]_\times, the matrix of the cross product with a."""
     texts = [token.text for token in parser.rest[:4]]
     if places.is_between(parser):
         return places.read_between(parser, bracket)
@@ -97,7 +97,7 @@ def _read_cross(parser: Parser, bracket: tree.Bracket) -> tree.Node:
 
 
 def _refuse_index(parser: Parser, start: int) -> None:
-    """Refuse an index behind a square bracket: a matrix in coordinates that it names."""
+    """Refuse an index after a square bracket: it names the coordinates of an undeclared matrix."""
     if parser.text == "_":
         end = parser.tokens[find_brace(parser.tokens, parser.place + 2)].end
         printed = parser.source.latex[start:end]
@@ -107,7 +107,7 @@ def _refuse_index(parser: Parser, start: int) -> None:
 
 
 def read_list(parser: Parser) -> list[tree.Node]:
-    """Read what stands in brackets or braces, parted by commas."""
+    """Read the comma-separated terms inside brackets or braces."""
     parts = [parser.read_sum()]
     while parser.skip(","):
         parts.append(parser.read_sum())
@@ -120,7 +120,7 @@ def read_list(parser: Parser) -> list[tree.Node]:
 
 
 def _repeat_bracket(parser: Parser, start: int) -> tree.Node:
-    """Read (…) as the bracket of the print before, if that has exactly one among its factors."""
+    """Read (…) as the bracket of the preceding print, which must have exactly one."""
     parser.place += 3
     if len(parser.brackets) != 1:
         raise parser.refuse(
@@ -172,7 +172,10 @@ def _read_angles(parser: Parser) -> tree.Node:
 
 
 def _enclose(parser: Parser, inside: tree.Node, start: int) -> tree.Node:
-    """Return what bars say: the determinant of a printed matrix, else the absolute value."""
+    """Return what bars mean: the determinant of a printed matrix, otherwise the absolute value.
+
+    The bars around a vector are its magnitude.
+    """
     table = inside.inside if isinstance(inside, tree.Bracket) else inside
     is_symbol = isinstance(table, tree.Letter) and tree.shows_matrix(table)
     if isinstance(table, tree.Letter) and is_symbol and 1 in table.symbol.shape:
@@ -207,7 +210,7 @@ def _refuse_bar_between_factors(parser: Parser) -> None:
 
 
 def read_excerpt(parser: Parser, whole: tree.Node, start: int) -> tree.Node:
-    """Read [1:3, 4] behind a matrix: rows and columns."""
+    """Read the rows and columns, [1:3, 4], that are taken from a matrix."""
     parser.take("[")
     ranges = [_read_range(parser)]
     while parser.skip(","):
@@ -217,13 +220,13 @@ def read_excerpt(parser: Parser, whole: tree.Node, start: int) -> tree.Node:
 
 
 def is_excerpt(parser: Parser) -> bool:
-    """Return whether a square bracket with a colon in it stands here."""
+    """Return whether the next token opens a square bracket that contains a colon."""
     texts = [token.text for token in parser.rest]
     return texts[:1] == ["["] and "]" in texts and ":" in texts[: texts.index("]")]
 
 
 def _read_range(parser: Parser) -> tuple[int, int] | None:
-    """Read the numbers of the first and the last, or of one alone; a colon alone is all."""
+    """Read a first and last number, or a single number as both; None for a colon alone."""
     if parser.skip(":"):
         return None
     first = _read_count(parser)
@@ -242,7 +245,7 @@ def _read_count(parser: Parser) -> int:
 
 
 def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node | None:
-    """Read a power that is none: transposition, degrees."""
+    """Read a superscript that is not a power: a transposition or degrees; None for any other."""
     texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
     is_plain = texts == ["{", "T", "}"]
     mark = texts[1] if texts[::2] == ["{", "}"] else ""
@@ -265,12 +268,15 @@ def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node
 
 
 def _shows_vector(parser: Parser, part: tree.Node) -> bool:
-    """Return whether a part is a vector or a matrix, as a letter in bold is beside no letter T."""
+    """Return whether a part is a vector or a matrix.
+
+    A bold letter counts as a vector if no letter T is declared.
+    """
     is_bold = isinstance(part, tree.Letter) and part.text.startswith(VECTORS)
     return tree.shows_matrix(part) or (is_bold and not parser.names.find("T"))
 
 
-# The function that reads an atom, by the sign with which the atom begins.
+# The sign with which an atom begins -> the function that reads the atom.
 _READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\frac": _read_fraction,
     r"\sqrt": _read_root,

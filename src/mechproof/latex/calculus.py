@@ -1,4 +1,4 @@
-"""Sums, products and integrals: what they bind, and how far they reach."""
+"""Sums, products and integrals: which letters they bind, and how far they reach."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class OpenIntegral:
-    """An integral being read: its differential, and letters that it may bind."""
+    """An integral being read: its differential, and the letters that it may bind."""
 
     depth: int
     differential: tree.Node | None = None
@@ -28,10 +28,11 @@ class OpenIntegral:
 
 
 def compare_derivatives(chain: tree.Chain) -> tree.Chain:
-    r"""Read \int f\,dx=F+C without a lower limit as: f is the derivative of F+C.
+    r"""Read \int f\,dx=F+C without a lower limit as the statement that f is the derivative of F+C.
 
-    A letter alone on one side is given by the integral; an integral over a body, \int r^2\,dm, has
-    letters that only its integrand has, and not its own variable.
+    The chain is returned unchanged if the other side is a single letter, which the integral then
+    defines, or if the integrand has letters that the other side lacks and does not contain the
+    variable of integration, as in an integral over a body, \int r^2\,dm.
     """
     if len(chain.members) != 2 or chain.relations != ("=",):
         return chain
@@ -65,7 +66,7 @@ def _list_symbols(node: tree.Node) -> set[sp.Basic]:
 
 
 def read_repeated(parser: Parser) -> tree.Node:
-    r"""Read \sum_{k=1}^n and the product behind it; \sum_{k=1,k\ne i} leaves one term out."""
+    r"""Read \sum_{k=1}^n and the product after it; \sum_{k=1,k\ne i} leaves one term out."""
     start = parser.start
     name = parser.take().text.strip("\\")
     if parser.text != "_":
@@ -86,10 +87,10 @@ def read_repeated(parser: Parser) -> tree.Node:
 
 
 def is_sum_beside(parser: Parser) -> bool:
-    r"""Return whether a second sum over the index of the one being read multiplies it.
+    r"""Return whether a second sum over the index of the open sum follows as its factor.
 
-    As a factor of the term it would say the same, \sum_{k=1}^nk\cdot\sum_{k=1}^nk, where k is none
-    of its limits.
+    Reading it as a factor of the term would give the same value, \sum_{k=1}^nk\cdot\sum_{k=1}^nk,
+    if k is in neither of its limits.
     """
     place = parser.place + (parser.text in DOTS)
     texts = [token.text for token in parser.tokens[place:]]
@@ -102,7 +103,7 @@ def is_sum_beside(parser: Parser) -> bool:
 
 
 def _name_whole(parser: Parser, name: str) -> str:
-    r"""Return how a sum over nothing that is printed is declared as one letter, \sum F_x."""
+    r"""Return how to declare a sum without an index and limits as a single letter, \sum F_x."""
     if not begins_letter(parser.text):
         return ""
     return parser.remedies.name.format(rf"\{name} {printed_name(parser, parser.place)}")
@@ -140,7 +141,7 @@ def _read_below(parser: Parser) -> tuple[tree.Letter, tree.Node, tuple[tree.Node
 
 
 def read_integral(parser: Parser) -> tree.Node:
-    """Read an integral up to its differential; without one up to the end of the product."""
+    """Read an integral up to its differential, or to the end of the product if it has none."""
     start = parser.start
     parser.take()
     low = parser.read_script("_") if parser.text == "_" else None
@@ -192,7 +193,7 @@ def _refuse_factor_behind(parser: Parser) -> None:
 
 
 def is_over(parser: Parser) -> bool:
-    """Return whether the product ends because its integral does."""
+    """Return whether the product ends here because the integral around it does."""
     if not parser.integrals:
         return False
     opened = parser.integrals[-1]
@@ -201,16 +202,13 @@ def is_over(parser: Parser) -> bool:
 
 
 def is_differential(parser: Parser) -> bool:
-    r"""Return whether a d stands here, within an integral, that begins no declared name.
-
-    A dot may stand before it, V\cdot dt.
-    """
+    """Return whether a differential starts here: a d in an integral that begins no known name."""
     place = parser.place + (parser.text == r"\cdot")
     rest = parser.tokens[place:]
     follows = [token.text for token in rest[:2]]
     if not parser.integrals or follows[:1] != ["d"] or follows[1:] in (["_"], ["'"]):
         return False
-    # True for each d that is printed as a differential, \mathrm{d}x.
+    # For each token, whether it is a d printed upright as a differential, \mathrm{d}x.
     upright = [d.text == "d" != parser.source.latex[d.start : d.end] for d in rest]
     if upright[0]:
         return True
@@ -228,14 +226,14 @@ def is_differential(parser: Parser) -> bool:
 
 
 def _is_needed(parser: Parser) -> bool:
-    """Return whether the open integrals need all letters d up to the next relation sign."""
+    """Return whether the open integrals need every letter d up to the next relation sign."""
     behind = takewhile(lambda token: token.text not in RELATIONS, parser.rest)
     left = sum(opened.differential is None for opened in parser.integrals)
     return sum(token.text == "d" for token in behind) <= left
 
 
 def read_differential(parser: Parser, opened: OpenIntegral) -> None:
-    """Read d and the one name or function behind it."""
+    """Read d and the single factor after it as the differential."""
     parser.skip(r"\cdot")
     start = parser.take("d").start
     operand = parser.read_factor()
@@ -245,7 +243,7 @@ def read_differential(parser: Parser, opened: OpenIntegral) -> None:
 
 
 def read_numerator(parser: Parser) -> tree.Node:
-    """Read the upper part of a fraction; the differentials of integrals may stand in it."""
+    """Read the numerator of a fraction, which may contain the differentials of integrals."""
     start = parser.start
     alone = is_differential(parser)
     inside = tree.Number("1", start=start, end=start) if alone else parser.read_sum()
@@ -256,7 +254,7 @@ def read_numerator(parser: Parser) -> tree.Node:
 
 
 def _bind(parser: Parser, opened: OpenIntegral) -> None:
-    """Hand letters that this integral does not bind to the one around it, or refuse them."""
+    """Pass letters that this integral does not bind to the enclosing one, or refuse them."""
     bound = opened.differential.text if isinstance(opened.differential, tree.Letter) else None
     free = [letter for letter in opened.running if letter.text != bound]
     if parser.integrals:

@@ -1,4 +1,4 @@
-"""What is printed of sums, integrals, derivatives, limits and values at a place -> SymPy."""
+"""Printed sums, integrals, derivatives, limits and values at a place -> SymPy."""
 
 from __future__ import annotations
 
@@ -41,13 +41,17 @@ if TYPE_CHECKING:
 
 # Nodes that bind a variable of their own.
 BINDING = (Approach, At, Derivation, Integration, Repeated)
-# Nodes whose variable runs through an interval, so that cancelled divisors may vanish at single
-# points only.
+# Nodes whose variable runs through an interval, where cancelled divisors can vanish only at
+# isolated points.
 RUNNING = (Approach, Derivation, Integration)
 
 
 def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
-    """Return a sum or a product over an index; a whole number may make zero what is cancelled."""
+    """Return a sum or a product over an index.
+
+    A divisor that the term cancels may vanish at a whole number, so the term requires it to be
+    nonzero.
+    """
     index = node.index.symbol
     before = {*meaning.lost}
     term = meaning.take_number(node.term, meaning.side(node.term))
@@ -64,9 +68,9 @@ def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
 
 
 def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Expr]:
-    """Yield the factors below lines that an expression does not show any more.
+    """Yield the factors of divisors that an expression no longer shows.
 
-    `divisors` gives, for each divisor, the part of an expression that shows it.
+    `divisors` maps each divisor to the part of an expression that shows it.
     """
     kept = {power.base for power in value.atoms(sp.Pow) if power.exp.could_extract_minus_sign()}
     for divisor, shown in divisors.items():
@@ -79,7 +83,7 @@ def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Ex
 
 
 def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
-    """Return an integral, from the declared lower limit where none is printed."""
+    """Return an integral, from the declared lower limit if no limits are printed."""
     integrand = meaning.take_number(node.integrand, meaning.side(node.integrand))
     if node.differential is None:
         return IntegralWithoutDifferential(integrand)
@@ -98,7 +102,7 @@ def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
 
 
 def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.Expr) -> sp.Expr:
-    """Put in the value of a law of one piece, whose range the limits are."""
+    """Replace a law with a single piece by its expression if the limits lie within its range."""
     laws = {law: law.args[0] for law in integrand.atoms(sp.Piecewise) if len(law.args) == 1}
     if not laws:
         return integrand
@@ -114,9 +118,10 @@ def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.
 
 
 def give_derivative(meaning: Meaning, node: Derivation) -> Any:
-    """Return a derivative, worked out, where what is differentiated has a value.
+    """Return a derivative, evaluated, defined where the differentiated expression has a value.
 
-    The derivative of a column by another has a row for each entry of the first (numerator layout).
+    The derivative of one column by another has a row for each entry of the former (numerator
+    layout).
     """
     variable, printed = meaning.letter(node.by), meaning.side(node.of)
     columns = variable, printed
@@ -162,7 +167,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
 
 
 def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
-    """Return how to say that what is differentiated depends on the letter by which it is."""
+    """Return the advice how to declare that the differentiated expression depends on the letter."""
     latex = meaning.source.latex[node.start : node.end]
     if latex.endswith("'"):
         return "Print the derivatives of what depends on it: u' beside u."
@@ -174,7 +179,7 @@ def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
 def _differentiate_along(
     meaning: Meaning, node: Derivation, printed: sp.Expr, variable: sp.Symbol, along: sp.Symbol
 ) -> sp.Expr:
-    """Return the derivative of a curve, dy/dx of y(t) and x(t), where x does not stand still."""
+    """Return the derivative dy/dx of a curve y(t), x(t), defined where x(t) is not stationary."""
     needed, place = (settle_all(part, meaning.values) for part in (printed, variable))
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     unsmooth = [*value.atoms(*UNSMOOTH, *OF_SIGNS), *place.atoms(*UNSMOOTH, *OF_SIGNS)]
@@ -194,7 +199,7 @@ def _give_rate(
     variable: sp.Symbol,
     depends_on: set[sp.Basic],
 ) -> sp.Expr:
-    """Return the derivative of a number, where that and its moduli have values."""
+    """Return the derivative of a scalar, defined where the scalar and its moduli have values."""
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     turning = {part.args[0] for part in value.atoms(*OF_SIGNS) if depends_on & part.free_symbols}
     for number in sorted(turning, key=sp.default_sort_key):
@@ -214,7 +219,7 @@ def _give_rate(
 def _give_any(
     meaning: Meaning, printed: Node, value: sp.Expr, variable: sp.Symbol, depends_on: set[sp.Basic]
 ) -> sp.Expr:
-    """Return the derivative of an order that is a letter, of what depends on the variable alone."""
+    """Return a derivative of symbolic order; only the variable may move in its operand."""
     order = meaning.of(printed)
     if not (order.is_integer and order.is_nonnegative) or order.has(variable):
         raise meaning.source.refuse(
@@ -229,7 +234,7 @@ def _give_any(
 
 
 def _moves_by_rates(meaning: Meaning, value: sp.Expr, variable: sp.Symbol) -> bool:
-    """Return whether rates of a letter are all that moves in a value, as in a kinetic energy."""
+    """Return whether only rates of a letter move in a value, as in a kinetic energy."""
     _, rates = meaning.moving.get(variable, (None, ()))
     moving = {step for one, (_, own) in meaning.moving.items() for step in (one, *own)}
     met = moving & settle_all(value, meaning.values).free_symbols
@@ -237,13 +242,14 @@ def _moves_by_rates(meaning: Meaning, value: sp.Expr, variable: sp.Symbol) -> bo
 
 
 def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
-    """Return a limit, its variable bound."""
+    """Return a limit with its variable bound."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
     is_inside = any(depends(s, {variable}, meaning.values) for s in point.free_symbols)
     term = meaning.take_number(node.term, meaning.side(node.term))
     running = make_running(variable.name, term, counts=bool(variable.is_integer))
     inside = settle(split_tangents(term, (point,)), meaning.values, {variable: running})
-    # What gives the letter must not stand beside it: it would have to go to a limit, too.
+    # Letters that determine the variable must not appear next to it: they would tend to a limit,
+    # too.
     moving = meaning.values.get(variable, sp.S.Zero).free_symbols
     if is_inside or any(depends(s, moving, meaning.values) for s in inside.free_symbols):
         raise meaning.source.refuse(
@@ -254,7 +260,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
 
 
 def give_value(meaning: Meaning, node: At) -> sp.Expr:
-    """Return the value of a term where a letter has a value."""
+    """Return the value of a term at a given value of a letter."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
     if node.is_found and variable in meaning.values:
         raise meaning.source.refuse(
@@ -293,7 +299,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
 def _check_seams(
     meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], said: tuple[sp.Expr, sp.Expr]
 ) -> None:
-    """Refuse the derivative of a letter at a point where its pieces meet and do not join."""
+    """Refuse the derivative of a letter at a point where its pieces meet but do not join."""
     term, point = said
     met = term.free_symbols & {*steps[1:]}
     last = max(map(steps.index, met), default=-1)
@@ -308,7 +314,7 @@ def _check_seams(
 def _bind(
     meaning: Meaning, node: Integration, integrand: sp.Expr, variable: sp.Expr
 ) -> tuple[sp.Dummy, sp.Expr]:
-    """Return a variable of integration and the integrand in it, nothing else moving."""
+    """Return a bound variable and the integrand in it; refuse other letters that move with it."""
     place = node.differential.start if node.differential else node.start
     if variable.is_Symbol:
         running = make_running(variable.name, integrand)
@@ -337,9 +343,9 @@ def _bind(
 
 
 def _find_argument(meaning: Meaning, node: Integration, variable: sp.Basic) -> sp.Basic:
-    r"""Return the letter for which the variable of integration is put into the integrand.
+    r"""Return the letter in whose place the variable of integration is put into the integrand.
 
-    In \int_0^t\dot x\,d\tau that is t: x depends on it, and \tau stands nowhere else.
+    In \int_0^t\dot x\,d\tau that is t: x depends on it, and \tau appears nowhere else.
     """
     printed = {part.symbol for part in walk(node.integrand) if isinstance(part, Letter)}
     is_said = variable in meaning.values or variable in meaning.moving

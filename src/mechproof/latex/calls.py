@@ -1,4 +1,4 @@
-"""Functions and the reach of their arguments."""
+"""Functions, and how far their arguments reach."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _SPACE = re.compile(r"\\[,:; ]|\\quad|~")
 
 
 def is_function(parser: Parser) -> bool:
-    """Return whether a function stands here and not a longer declared name."""
+    """Return whether a function starts here, rather than a longer declared name."""
     declared = parser.names.match(parser.tokens, parser.place)
     known = _function_sign(parser) in parser.functions or parser.find_spelled() is not None
     has_base = parser.text == r"\log" and parser.peek() == "_"
@@ -32,14 +32,15 @@ def is_function(parser: Parser) -> bool:
 
 
 def _function_sign(parser: Parser) -> str:
-    r"""Return the sign of a function: a letter may be declared as one."""
+    """Return the command of a function here; a plain letter may be declared as a function, too."""
     return parser.text if parser.text.startswith("\\") else rf"\{parser.text}"
 
 
 def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
     r"""Read a function, the power it is raised to, and its arguments.
 
-    The power may stand behind the bracket, \cos(x)^2, if that is of no function within another.
+    The power may follow the bracket, \cos(x)^2, unless the function is itself an argument of
+    another.
     """
     start, place = parser.start, parser.place
     if spelled := parser.find_spelled():
@@ -66,7 +67,7 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
 
 
 def _read_logarithm(parser: Parser) -> tree.Node:
-    r"""Read \log_a x, the natural logarithm of x by that of a."""
+    r"""Read \log_a x as the natural logarithm of x divided by that of a."""
     start = parser.take().start
     base = parser.read_script("_")
     exponent = _read_exponent(parser, "log")
@@ -94,7 +95,7 @@ def _read_exponent(parser: Parser, name: str) -> tree.Node | None:
 
 
 def _is_minus_one(exponent: tree.Node, parser: Parser) -> bool:
-    """Return whether an exponent is minus one, in whatever way it is printed."""
+    """Return whether an exponent equals minus one, however it is printed."""
     if any(isinstance(part, tree.Letter) for part in tree.walk(exponent)):
         return False
     meaning = Meaning(parser.source, {}, Notation(), parser.remedies)
@@ -102,7 +103,7 @@ def _is_minus_one(exponent: tree.Node, parser: Parser) -> bool:
 
 
 def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
-    """Read the arguments of a function whose name begins at a place."""
+    """Read the arguments of the function whose name begins at token `place`."""
     if parser.open_group():
         return _read_grouped(parser)
     if parser.text in _BRACKETS:
@@ -113,7 +114,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
         return (read_call(parser, is_argument=True),)
     argument = _read_short(parser)
     if isinstance(argument, tree.Table) and len(argument.rows) == len(argument.rows[0]) == 1:
-        # A bracket that is set as a matrix.
+        # A bracket that is typeset as a matrix.
         argument = argument.rows[0][0]
     printed = "".join(token.text for token in parser.tokens[place : parser.place])
     if printed not in parser.factors and not _is_quantity_behind(parser, argument):
@@ -123,7 +124,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
 
 
 def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
-    r"""Read what a bracket holds, with the angle behind a count in it: \cos(n-1)\theta."""
+    r"""Read a bracketed argument, with the angle after a count in the bracket: \cos(n-1)\theta."""
     start, is_square = parser.start, parser.text == "["
     bracket = atoms.read_atom(parser)
     if isinstance(bracket, tree.Entries):
@@ -153,9 +154,10 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
 
 
 def _may_count(parser: Parser, inside: tree.Add) -> bool:
-    r"""Return whether a number plus letters may count what stands behind: \cos(n-1)\theta.
+    r"""Return whether a number plus letters might count what follows the bracket: \cos(n-1)\theta.
 
-    That is a letter, if all may be anything, or a bracket or fraction behind what counts.
+    It might if a letter follows and the dimensions of all the letters are not known, or if a
+    bracket or fraction follows and the letters may be counts.
     """
     known = parser.notation.dimensions.keys()
     parts = {part.symbol for part in tree.walk(inside) if isinstance(part, tree.Letter)}
@@ -170,7 +172,7 @@ def _may_count(parser: Parser, inside: tree.Add) -> bool:
 
 
 def _read_grouped(parser: Parser) -> tuple[tree.Node, ...]:
-    r"""Read \sin{x+1}: braces of their own behind a function hold its argument."""
+    r"""Read \sin{x+1}: braces right after a function enclose its argument."""
     parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
     _refuse_power_behind(parser)
     first = parts[0]
@@ -212,7 +214,7 @@ def _read_short(parser: Parser) -> tree.Node:
 
 
 def _read_phase(parser: Parser, factors: list[tree.Node]) -> tree.Node:
-    """Read the letters that make an angle of factors, which they join."""
+    """Read on while the next letter joins the factors to form an angle; return their product."""
     while _goes_on(parser, factors[-1], parser.place):
         factors.append(parser.read_factor())
     if len(factors) == 1:
@@ -221,9 +223,9 @@ def _read_phase(parser: Parser, factors: list[tree.Node]) -> tree.Node:
 
 
 def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
-    r"""Return whether a letter stands at a place whose product with what is before is an angle.
+    r"""Return whether a letter at token `place`, times the node `before`, makes an angle.
 
-    The beginning of a phase has to be followed by the rest of it: in `n\omega t` that is t.
+    A letter that begins a phase must be followed by the rest of it: in `n\omega t` that is t.
     """
     nodes = [*tree.walk(before)]
     letters: list[sp.Basic] = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
@@ -243,9 +245,9 @@ def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
 
 
 def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool:
-    r"""Return whether letters count what stands behind, \cos nx, or an integral is over it.
+    r"""Return whether letters count what follows, as in \cos nx, or what the open integral is over.
 
-    A known angle counts nothing, and what is known to be no angle is not counted.
+    A known angle counts nothing, and nothing known to be other than an angle is counted.
     """
     match = parser.names.match(parser.tokens, place)
     known = parser.notation.dimensions
@@ -261,21 +263,21 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
         return False
     has_angle = any(letter in known and known[letter].is_angle for letter in letters)
     is_near = not (has_angle or _is_behind_space(parser))
-    # If a fraction is read, its numerator, with the differential in it, has been read already.
+    # In a fraction, the numerator with the differential in it has already been read.
     read = parser.integrals[-1].differential
     is_over = isinstance(read, tree.Letter) and read.text == texts[0]
     return is_near and (is_over or ("d", texts[0]) in pairwise(texts[1:]))
 
 
 def _is_matrix_next(parser: Parser) -> bool:
-    """Return whether a matrix stands next, which is no part of the argument before it."""
+    """Return whether a matrix comes next, which is not part of the argument before it."""
     match = parser.names.match(parser.tokens, parser.place)
     is_named = match is not None and isinstance(match.name.symbol, sp.MatrixSymbol)
     return is_named or parser.text.startswith(r"\begin{") or _is_bracketed_matrix(parser)
 
 
 def _is_bracketed_matrix(parser: Parser) -> bool:
-    r"""Return whether [K] stands next, K a matrix; while letters are collected any letter."""
+    """Return whether [K] comes next, K a matrix, or any letter while letters are collected."""
     match = parser.names.match(parser.tokens, parser.place + 1)
     if parser.collects and match is None:
         texts = [token.text for token in parser.rest[:3]]
@@ -287,7 +289,7 @@ def _is_bracketed_matrix(parser: Parser) -> bool:
 
 
 def _check_bracket(parser: Parser, place: int) -> None:
-    r"""Refuse a bracket or fraction behind a function with its argument: \sin q(a+b)."""
+    r"""Refuse a bracket or fraction after a function with its argument: \sin q(a+b)."""
     asks = {"(": ("bracket", "the argument of a function"), r"\frac": ("fraction", "part of that")}
     if parser.text in asks and not (side_conditions.is_bracketed(parser) or _is_apart(parser)):
         what, whose = asks[parser.text]
@@ -297,7 +299,7 @@ def _check_bracket(parser: Parser, place: int) -> None:
 
 
 def _is_apart(parser: Parser) -> bool:
-    r"""Return whether a bracket, a fraction or a root stands behind a space: \cos a\,(…)."""
+    r"""Return whether a space separates the next bracket, fraction or root: \cos a\,(…)."""
     return parser.text in ("(", "[", r"\frac", r"\sqrt") and _is_behind_space(parser)
 
 
@@ -307,9 +309,9 @@ def _is_behind_space(parser: Parser) -> bool:
 
 
 def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
-    r"""Return whether what stands behind an angle makes no angle of it: \cos\theta\,x.
+    r"""Return whether what follows an argument cannot be part of its angle: \cos\theta\,x.
 
-    That is a letter that is no number, or a bracket with such letters and without a quotient.
+    That holds for a letter with a dimension, or for a bracket of such letters without a quotient.
     """
     known, nodes = parser.notation.dimensions, [*tree.walk(argument)]
     letters = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
@@ -320,7 +322,7 @@ def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
 
 
 def _list_behind(parser: Parser) -> set[sp.Basic]:
-    """Return the letter that stands here, or those in a bracket; none for a quotient."""
+    """Return the letter here, or the letters of a bracket; nothing if that contains a quotient."""
     end = parser.place + 1
     if parser.text in _BRACKETS:
         end = parser.place + find_close([token.text for token in parser.rest])
@@ -332,9 +334,9 @@ def _list_behind(parser: Parser) -> set[sp.Basic]:
 
 
 def _check_reach(parser: Parser) -> None:
-    """Refuse what stands close behind an argument without brackets."""
+    """Refuse anything that directly follows an argument without brackets."""
     if parser.collects and begins_letter(parser.text):
-        # Which letter it belongs to does not matter while letters are only collected.
+        # Which function a letter belongs to does not matter while letters are only collected.
         return
     if parser.ends_product() or parser.text in DOTS or is_function(parser):
         return

@@ -1,8 +1,8 @@
 r"""A whole print -> its chains of members and relation signs, with cases and conditions.
 
-A comma parts one chain from the next: `x=…,\ y=…`; an inequality behind it is a condition, as is
-what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }` joins relations.
-Braces print nothing: what they enclose has to be one thing in what is read, too.
+A comma separates chains: `x=…,\ y=…`. An inequality after a comma is a condition, as is whatever
+follows `\text{ if }` or `\text{ for }` or is put in brackets. `\text{ and }` joins relations.
+Braces are not printed, so what they enclose must also be a unit of what is read.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _LEFT_OVER = {
 
 
 def read_print(parser: Parser) -> tuple[Chain, ...]:
-    """Read all chains of a print: of its rows, and of the steps in them."""
+    """Read all chains of a print: of its lines, and of the steps in each line."""
     statements: list[Chain] = []
     lines = list(parser.lines)
     for line, behind in zip(lines, [*lines[1:], None], strict=True):
@@ -52,14 +52,14 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
 
 
 def _find_end(parser: Parser, behind: Line | None) -> int:
-    """Return where a line ends, before the one behind it."""
+    """Return where a line ends in the source: in front of the line `behind`, if there is one."""
     if behind is None:
         return len(parser.source.latex)
     return behind.arrow.start if behind.arrow else behind.tokens[0].start
 
 
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
-    """Read the chains of a line up to its end."""
+    """Read all chains of a line."""
     if parser.text in (*IF, r"\forall") and not (_skip_membership(parser) and parser.skip(",")):
         raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
     parts = [ChainPart(_read_chain(parser))]
@@ -91,7 +91,7 @@ def _refuse_rest(parser: Parser) -> Exception:
 
 
 def _read_parts(parser: Parser) -> list[ChainPart]:
-    """Read what follows a comma or a gap: a chain, or conditions that are said to be some."""
+    """Read what follows a comma or a gap: a chain, or conditions that are marked as such."""
     if _skip_membership(parser):
         return []
     if side_conditions.is_bracketed(parser):
@@ -115,7 +115,10 @@ def _read_parts(parser: Parser) -> list[ChainPart]:
 
 
 def _skip_membership(parser: Parser) -> bool:
-    r"""Go on behind k,m\in\mathbb{Z} if that is declared of the letters."""
+    r"""Skip a membership k,m\in\mathbb{Z} if the letters are declared accordingly.
+
+    Returns False, at the old place, if none starts here.
+    """
     place, count = parser.place, len(parser.collected)
     if r"\mathbb" not in {token.text for token in parser.rest}:
         return False
@@ -170,7 +173,7 @@ def _read_chain(parser: Parser) -> Chain:
 
 
 def _refuse_number_of_equation(parser: Parser, member: Node) -> None:
-    r"""Refuse \theta_2=(4), which nobody prints for the number."""
+    r"""Refuse \theta_2=(4): a number in brackets is usually that of an equation."""
     printed = parser.source.latex[member.start : member.end].removeprefix(r"\left")
     is_round = printed.lstrip().startswith("(")
     if is_round and isinstance(member, Bracket) and isinstance(member.inside, Number):
@@ -200,7 +203,7 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
 
 
 def _refuse_cut(parser: Parser, nodes: Sequence[Node]) -> None:
-    r"""Refuse {a+b}^2, 2{x+1}, a-{b+c} and the like: what is printed says something else."""
+    """Refuse {a+b}^2, 2{x+1}, a-{b+c} and the like, whose printed form means something else."""
     found = [node for node in walk(tuple(nodes)) if node.start < node.end]
     for group in parser.groups:
         if any(_cuts(node, *group) for node in found):
@@ -212,7 +215,7 @@ def _refuse_cut(parser: Parser, nodes: Sequence[Node]) -> None:
 
 
 def _cuts(node: Node, start: int, end: int) -> bool:
-    """Return whether a node takes a part of a group in, or a sign before it counts for a part."""
+    """Return whether a node splits a group, or a sign before it applies only to part of it."""
     if node.start < start < node.end < end or start < node.start < end < node.end:
         return True
     if not isinstance(node, Add):

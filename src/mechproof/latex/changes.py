@@ -1,8 +1,8 @@
-r"""What a correction changes: two prints in, both with what only one of them has marked, out.
+"""What a correction changes: takes two prints, returns both with their differences marked.
 
-The trees of their signs are laid beside each other so that the least has to be taken out of one
-and put into the other; a root that goes leaves what it enclosed. Nothing is read: a root, a
-fraction, a bracket or a script holds what it encloses, and any LaTeX will do.
+The trees of their signs are aligned at the least cost of removals and insertions; removing a root
+leaves what it enclosed. The prints are not read as mathematics: a root, a fraction, a bracket or a
+script merely holds what it encloses, so any LaTeX will do.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ from mechproof.latex.latex_signs import join, same_sign
 
 # Cell and row separators, which cannot be marked as parts of a formula.
 PARTING = ("&", r"\\")
-# Longest prints, in signs, that are compared, and the largest share of changes that is marked.
+# Greatest number of signs of two prints that are compared, and greatest share of changed signs that
+# is marked.
 LONGEST, MOST = 450, 0.5
 # Extra cost of changing what encloses parts that stay: worth it only if most of them do.
 OPENING = 2
-# Opening and closing signs; those of one kind match.
+# Opening and closing signs -> their kinds; those of the same kind match.
 _OPENERS = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}
 _CLOSERS = {")": "b", "]": "b", "}": "{", r"\right": "l", r"\end": "e"}
 
@@ -43,7 +44,7 @@ Parts = tuple["Fragment", ...]
 
 @dataclass(frozen=True)
 class Marked:
-    """A part, whether the other print lacks it, and all that it holds likewise."""
+    """A part, whether the other print lacks it, and all the parts it holds, marked likewise."""
 
     part: Fragment
     changed: bool
@@ -52,7 +53,7 @@ class Marked:
 
 @dataclass(frozen=True)
 class Style:
-    """How a change is written, and what stays within what is changed."""
+    """How a change is written, and how parts are written that are kept inside a change."""
 
     change: Callable[[str], str]
     keep: Callable[[str], str]
@@ -65,14 +66,14 @@ class _Edit:
     right: tuple[Marked, ...]
 
     def after(self, cost: int, left: Sequence[Marked], right: Sequence[Marked]) -> _Edit:
-        """Return this edit behind what was done before it."""
+        """Return the edit that makes the given step first and then this edit."""
         return _Edit(self.cost + cost, (*left, *self.left), (*right, *self.right))
 
 
 def mark_changes(printed: str, mend: str, taken: Style, put: Style) -> tuple[str, str]:
-    """Return both with marks: what the print alone has as `taken`, what the mend alone as `put`.
+    """Return both prints, `taken` marking what only the first has, `put` what only the second has.
 
-    Two that have little in common, or are very long, are returned as they are.
+    Prints that have little in common, or are very long, are returned unchanged.
     """
     left, right = _parse(printed), _parse(mend)
     total = _measure(left) + _measure(right)
@@ -89,7 +90,7 @@ class _Alignment:
         self.known: dict[tuple[Parts, Parts], _Edit] = {}
 
     def align(self, a: Parts, b: Parts) -> _Edit:
-        """Return the cheapest way from one sequence to the other."""
+        """Return the cheapest edit that turns one sequence into the other."""
         if (a, b) not in self.known:
             self.known[a, b] = self._find(a, b)
         return self.known[a, b]
@@ -130,14 +131,14 @@ def _mark(parts: Parts, *, changed: bool) -> tuple[Marked, ...]:
 
 
 def _open(part: Fragment, place: int, held: tuple[Marked, ...]) -> Marked:
-    """Mark a part as changed, but for what stands at one place in it."""
+    """Mark a part as changed, except for the parts `held` in its slot number `place`."""
     slots = [_mark(slot, changed=True) for slot in part.slots]
     slots[place] = held
     return Marked(part, True, tuple(slots))
 
 
 def _write(parts: Sequence[Marked], style: Style, *, within: bool = False) -> str:
-    """Write parts that stand in what is changed, or in what is kept."""
+    """Write parts; `within` says whether the part that encloses them is changed."""
     texts = []
     kinds = groupby(parts, key=lambda one: (one.changed, one.part.pieces[0] in PARTING))
     for (changed, is_parting), run in kinds:
@@ -158,7 +159,7 @@ def _write_part(marked: Marked, style: Style) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Fragment:
-    """A sign with its scripts, or what encloses other parts: `pieces` stand around them."""
+    """A sign with its scripts, or a sign that encloses parts: those are put between `pieces`."""
 
     pieces: tuple[str, ...]
     inner: tuple[Parts, ...] = ()
@@ -168,32 +169,32 @@ class Fragment:
 
     @property
     def slots(self) -> tuple[Parts, ...]:
-        """Return all that it holds: what it encloses, its index and its exponent."""
+        """Return all that it holds: the parts it encloses, its index and its exponent."""
         return (*self.inner, self.sub, self.sup)
 
     @cached_property
     def label(self) -> tuple[str, ...]:
-        r"""Return what it is by itself, alike for `\left(` and `(`."""
+        r"""Return its signs without their contents, alike for `\left(` and `(`."""
         return tuple(same_sign(SIZE.sub("", piece).rstrip("{")) for piece in self.pieces)
 
     @cached_property
     def same(self) -> tuple[object, ...]:
-        """Return what is equal for parts that print alike."""
+        """Return a key that is equal for parts that print alike."""
         return (self.label, *(tuple(p.same for p in slot) for slot in self.slots))
 
     @cached_property
     def size(self) -> int:
-        """Return the number of its signs."""
+        """Return the number of its signs, including those that it holds."""
         return 1 + sum(map(_measure, self.slots))
 
 
 def _measure(parts: Parts) -> int:
-    """Return the number of signs."""
+    """Return the number of signs in all parts."""
     return sum(part.size for part in parts)
 
 
 def _parse(latex: str) -> Parts:
-    """Return the tree of a print; brackets and braces without a partner are signs like others."""
+    """Return the tree of a print; brackets and braces without a partner are plain signs."""
     return _Parser(SIGN.findall(latex)).read_all()
 
 
@@ -230,7 +231,7 @@ class _Parser:
         return replace(base, sup=base.sup + script)
 
     def _read_argument(self, end: int) -> Parts:
-        """Read what stands in braces, or one sign."""
+        """Read the content of braces, or a single sign."""
         if self.place >= end:
             return ()
         return self._read_braces(end) if self._peek(end) == "{" else self._read_item(end)
@@ -278,7 +279,7 @@ class _Parser:
 
 
 def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """Yield the places of what opens and of what closes it."""
+    """Yield the places of each opening sign and of the sign that closes it."""
     opened: list[tuple[int, str]] = []
     for place, sign in enumerate(signs):
         if kind := _find_kind(sign, _CLOSERS):
@@ -291,6 +292,6 @@ def _match(signs: Sequence[str]) -> Iterator[tuple[int, int]]:
 
 
 def _find_kind(sign: str, kinds: Mapping[str, str]) -> str:
-    """Return the kind of what stands before a bracket, a bar or a name; arrows are none."""
+    """Return the kind of a bracket or of the command in front of one, "" for other signs."""
     command = re.match(r"\\[a-z]+", sign)
     return kinds.get(command[0] if command else sign, "")

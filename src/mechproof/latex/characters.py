@@ -1,7 +1,7 @@
-r"""Characters beyond ASCII -> the signs that they print like, or what to print instead of them.
+"""Characters beyond ASCII -> the signs that they print like, or what to print instead of them.
 
-A Greek letter is its command, a full-width or slanted letter the plain one, a raised or lowered one
-a script. Letters of two alphabets that print alike are told from each other by nobody.
+A Greek letter becomes its command, a full-width or slanted letter the plain one, a raised or
+lowered one a script. No reader can tell letters of two alphabets apart that print alike.
 """
 
 # ruff: noqa: RUF001
@@ -39,7 +39,7 @@ _SIGNS: Mapping[str, str] = {
 # Names of the commands of Greek letters.
 _NAMES = {*(command[1:] for command in _LETTERS.values()), "Upsilon"}
 GREEK = frozenset(_NAMES | {f"var{name}" for name in _NAMES if name.istitle()})
-# Characters that are copied in place of the right sign, and what to print.
+# Characters that are copied in place of the right sign -> the advice what to print.
 _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),
     **dict.fromkeys('’‘`´ʹʼˈ"”“', "Print ' for a prime."),
@@ -52,9 +52,9 @@ _INSTEAD: Mapping[str, str] = {
 _KINDS = ("MATHEMATICAL ITALIC ", "FULLWIDTH ", "SMALL HYPHEN-MINUS", "PLANCK CONSTANT")
 _ALPHABETS = ("LATIN ", "GREEK ", "CYRILLIC ", "CJK ")
 _SCRIPTS = {"<super>": "^", "<sub>": "_"}
-# Characters that some fonts use for one command and some for another.
+# Characters for which some fonts show one command and others another.
 EITHER = "φε"
-# Each letter and the Latin (or Greek) one that it prints like.
+# Each letter -> the Latin (or Greek) one that it prints like.
 _ALIKE = {
     **dict(
         zip(
@@ -68,7 +68,7 @@ _ALIKE = {
 
 
 def spell(character: str) -> tuple[str, ...]:
-    """Return the signs that a character prints like, itself where there is nothing to say."""
+    """Return the signs that a character prints like, or the character itself if none are known."""
     if character.isascii() or len(character) > 1:
         return (character,)
     if character in _SIGNS:
@@ -82,7 +82,7 @@ def spell(character: str) -> tuple[str, ...]:
 
 
 def read_script(character: str) -> tuple[str, str]:
-    """Return the mark of a raised or lowered character and the sign that it is, else nothing."""
+    """Return "^" or "_", and the plain sign, for a raised or lowered character, else ("", "")."""
     if len(character) != 1:
         return "", ""
     kind, _, codes = unicodedata.decomposition(character).partition(" ")
@@ -92,7 +92,7 @@ def read_script(character: str) -> tuple[str, str]:
 
 
 def is_letter(text: str) -> bool:
-    """Return whether a sign is one letter of an alphabet, not dressed up as another sign."""
+    """Return whether a sign is one letter of an alphabet, not a styled or accented variant."""
     if text.isascii():
         return text.isalpha()
     return (
@@ -105,12 +105,12 @@ def is_letter(text: str) -> bool:
 
 
 def is_digit(text: str) -> bool:
-    """Return whether a sign is a digit, and no raised, circled or foreign one."""
+    """Return whether a sign is an ASCII digit, not a raised, circled or foreign one."""
     return text.isascii() and text.isdigit()
 
 
 def name_character(text: str) -> str:
-    """Return a sign as a message shows it; that of another alphabet with its name."""
+    """Return a sign as a message shows it; one beyond ASCII with its code point and name."""
     if len(text) > 1 or (text.isascii() and text.isprintable()):
         return text
     code = f"U+{ord(text[0]):04X}"
@@ -120,7 +120,7 @@ def name_character(text: str) -> str:
 
 
 def advise(text: str) -> str:
-    """Return what to print instead of a sign, where that can be said."""
+    """Return the advice what to print instead of a sign, or "" if there is none."""
     if len(text) != 1:
         is_command = text.startswith("\\") and text[1:].isalpha()
         return (
@@ -135,9 +135,9 @@ def advise(text: str) -> str:
 
 
 def find_alike(signs: Iterable[str], others: Iterable[str] = ()) -> tuple[str, str] | None:
-    """Return two different letters that print alike: one among signs, one there or among others.
+    """Return two different letters that print alike: one from `signs`, the other from either.
 
-    Where only others have the one of another alphabet there are none.
+    Returns None if only `others` contain the letter of another alphabet.
     """
     own = {*signs}
     met: dict[str, str] = {}
@@ -153,14 +153,15 @@ def _show_plain(sign: str) -> str:
 
 
 def write_plain(text: str) -> str:
-    """Return a text with each letter as the Latin, or Greek, one that it prints like."""
+    """Return a text with each letter replaced by the Latin, or Greek, one that it prints like."""
     return "".join(_show_plain(sign) if sign in _ALIKE else sign for sign in text)
 
 
 def find_replaced(text: str) -> dict[str, str]:
     r"""Return the characters of a text that are read as other signs: ≤ as \le.
 
-    A Greek letter is its command, and a raised digit a script: they are no other signs.
+    Greek letters and raised digits are left out: the former are read as their own commands, the
+    latter as scripts.
     """
     others = (
         x for x in dict.fromkeys(text) if not unicodedata.name(x, "GREEK").startswith("GREEK")
@@ -169,11 +170,11 @@ def find_replaced(text: str) -> dict[str, str]:
 
 
 def find_disguised(text: str) -> dict[str, str]:
-    """Return the letters of a text that print like a letter of another alphabet, each with that."""
+    """Return each letter of a text that prints like one of another alphabet, with that letter."""
     return {x: _ALIKE[x] for x in dict.fromkeys(text) if x in _ALIKE and x not in EITHER}
 
 
 def _has_accent(text: str) -> bool:
-    """Return whether a Latin letter is composed with an accent, for which there is a command."""
+    """Return whether a Latin letter carries an accent, for which there is a command."""
     is_latin = unicodedata.name(text, "").startswith("LATIN ")
     return is_latin and len(unicodedata.normalize("NFD", text)) > 1

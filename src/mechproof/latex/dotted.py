@@ -1,7 +1,7 @@
 r"""Sums and products with dots: 1+2+\dots+n, 1\cdot2\cdots n.
 
-The last term says what the others are: with a number for its count it has to give the terms that
-stand before the dots, in their order, two of them at least.
+The last term determines the others: putting numbers in for its count must give the terms in front
+of the dots, in their order, at least two of them.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _DOTTED = r"\dots"
-# Limits on the terms before the dots: most that are tried, fewest that must fit.
+# Limits on the number of terms in front of the dots: most that are tried, fewest that must fit.
 _MOST = 12
 _FEWEST = 2
 
 
 def is_dotted_sum(parser: Parser) -> bool:
-    """Return whether a sign stands here, dots behind it, and another sign."""
+    """Return whether a sign, dots and another sign follow."""
     return parser.peek() == _DOTTED and parser.peek(2) in parser.signs
 
 
 def read_dotted_sum(parser: Parser, terms: Sequence[tuple[int, Node]], start: int) -> Node:
-    """Read dots and the last term of the sum behind them."""
+    """Read dots and the last term of the sum after them."""
     parser.place += 2
     last = parser.read_term()
     _refuse_number_behind(parser)
@@ -39,14 +39,14 @@ def read_dotted_sum(parser: Parser, terms: Sequence[tuple[int, Node]], start: in
 
 
 def is_dotted_product(parser: Parser) -> bool:
-    """Return whether dots for factors stand here, and another factor behind them."""
+    """Return whether dots for factors, and another factor after them, follow."""
     texts = [token.text for token in parser.rest[:3]]
     inside = texts[1:] if texts[:1] and texts[0] in DOTS else texts
     return inside[:1] == [_DOTTED] and len(inside) > 1 and inside[1] not in (*parser.signs, "=")
 
 
 def read_dotted_product(parser: Parser, factors: Sequence[Node], start: int) -> Node:
-    """Read dots and the last factor of the product behind them."""
+    """Read dots and the last factor of the product after them."""
     while parser.text in (*DOTS, _DOTTED):
         parser.take()
     last = parser.read_factor()
@@ -56,7 +56,7 @@ def read_dotted_product(parser: Parser, factors: Sequence[Node], start: int) -> 
 
 
 def _refuse_number_behind(parser: Parser) -> None:
-    """Refuse a number behind the last term, which may be a part of it: n-1."""
+    """Refuse a number after the last term, which may be a part of it: n-1."""
     if parser.text in parser.signs and is_digit(parser.peek()):
         raise parser.refuse(
             f"{parser.text}{parser.peek()} behind the last term: is it a part of that?",
@@ -65,7 +65,7 @@ def _refuse_number_behind(parser: Parser) -> None:
 
 
 def give_dotted(meaning: Meaning, node: Dotted) -> sp.Expr:
-    """Return the sum or product over an index of which the last term is printed."""
+    """Return the sum or product, over a new index, whose first and last terms are printed."""
     first = [sign * meaning.take_number(term, meaning.of(term)) for sign, term in node.first]
     sign, term = node.last
     last = sign * meaning.take_number(term, meaning.of(term))
@@ -92,7 +92,7 @@ def _choose_index(terms: Sequence[sp.Expr], *, starts_at_zero: bool) -> sp.Symbo
 
 
 def _find_runs(first: Sequence[sp.Expr], last: sp.Expr) -> Iterator[tuple[sp.Symbol, int, int]]:
-    """Yield a count, the number with which its terms begin, and how many stand before the dots."""
+    """Yield a count, its value in the first term counted, and how many printed terms it counts."""
     for count in sorted((s for s in last.free_symbols if s.is_integer), key=str):
         for behind in range(1, _MOST):
             used = 0

@@ -36,7 +36,7 @@ def read_environment(parser: Parser) -> Node:
 
 
 def _is_matrix(parser: Parser) -> bool:
-    """Return whether braces hold entries without a condition, as columns are often printed."""
+    """Return whether braces hold entries without a condition, as printed columns often do."""
     texts = (token.text for token in parser.rest)
     inside = {*takewhile(lambda text: text != rf"\end{{{_BRACED}}}", texts)}
     return not inside & {*RELATIONS, *IF, *ELSE, *UNDEFINED}
@@ -60,7 +60,7 @@ def _read_table(parser: Parser, kind: str) -> Table:
 
 
 def _read_entry(parser: Parser) -> Node:
-    r"""Read an entry; numbers with gaps between them, `0 \; 0`, are a row of a block."""
+    r"""Read an entry; numbers separated by gaps, `0 \; 0`, are a row of a block."""
     if parser.text in _DOTS or [token.text for token in parser.rest[:2]] == [".", "."]:
         raise parser.refuse(
             "dots for entries of a matrix: how many they are is not said",
@@ -79,7 +79,7 @@ def _read_entry(parser: Parser) -> Node:
 
 
 def _is_list(parser: Parser) -> bool:
-    """Return whether an entry is numbers alone, with printed gaps between them."""
+    """Return whether an entry consists only of numbers with printed gaps between them."""
     tokens = list(takewhile(lambda t: is_digit(t.text) or t.text == ".", parser.rest))
     follows = parser.peek(len(tokens))
     is_end = follows in ("", "&", r"\\") or follows.startswith(r"\end")
@@ -91,14 +91,14 @@ def _is_list(parser: Parser) -> bool:
 
 
 def is_cases(parser: Parser) -> bool:
-    r"""Return whether a table behind a brace that nothing closes stands here, \left\{…\right."""
+    r"""Return whether a brace that nothing closes, \left\{…\right., opens a table here."""
     texts = [token.text for token in parser.rest]
     begins = texts[1:2] == [r"\begin{matrix}"] and r"\end{matrix}" in texts
     return begins and texts[texts.index(r"\end{matrix}") + 1 :][:1] == [r"\right."]
 
 
 def read_cases(parser: Parser, start: int) -> Cases:
-    r"""Read the rows of cases; the brace that opens them has been read."""
+    """Read the rows of cases; the opening brace has already been read."""
     is_table = parser.skip(r"\begin{matrix}")
     parser.depth += 1
     pieces: list[tuple[Node | None, Chain]] = []
@@ -127,7 +127,7 @@ def read_cases(parser: Parser, start: int) -> Cases:
 
 
 def _read_condition(parser: Parser) -> Chain:
-    """Read the condition of a case, which may stand in a bracket."""
+    """Read the condition of a case, which may be in brackets."""
 
     def read() -> Chain:
         parser.skip(*IF)

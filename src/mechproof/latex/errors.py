@@ -1,4 +1,4 @@
-"""What the reader says where a print cannot be read, or could be read in two ways."""
+"""Errors for prints that cannot be read, or could be read in two ways."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ TOO_DEEP = "it is nested too deeply to be read"
 class ReadingError(ValueError):
     """A print that is ambiguous or not understood: the place in it, and what can be done.
 
-    `row` is filled in where the row is known.
+    `row` is filled in once the row is known.
     """
 
     def __init__(self, latex: str, place: int, reason: str, remedy: str = "") -> None:
@@ -25,12 +25,12 @@ class ReadingError(ValueError):
 
 
 class MeaningError(TypeError):
-    """What a part of a print cannot mean, in words for its reader."""
+    """The reason why a part of a print can have no meaning, worded for the user."""
 
 
 @dataclass(frozen=True)
 class Remedies:
-    """How that can be declared which a print does not say; {0} is what is printed."""
+    """How to declare what a print leaves open; {0} stands for the printed text."""
 
     name: str
     bracket: str
@@ -63,10 +63,10 @@ MODULE = Remedies(
 
 @dataclass(frozen=True)
 class PrintedText:
-    """A print, to be pointed into."""
+    """A print as errors point into it."""
 
     latex: str
 
     def refuse(self, place: int, reason: str, remedy: str = "") -> ReadingError:
-        """Return the error that points at a place; past the end it points behind the last sign."""
+        """Return the error at a place of the print, or at its end if the place is beyond that."""
         return ReadingError(self.latex, min(place, len(self.latex)), reason, remedy)

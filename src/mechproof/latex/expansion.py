@@ -34,9 +34,9 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 
 def read_paper(paper: Paper) -> Paper:
-    """Return the paper with every print read: each relation sign is a row of its own.
+    """Return the paper with every print read, one row for each relation sign.
 
-    A paper without prints to be read comes back as it is.
+    A paper without prints to be read is returned unchanged.
     Raises `ReadingError` with the row and the place in its print, `ValueError` for a row whose
     declarations do not fit its print.
     """
@@ -46,7 +46,7 @@ def read_paper(paper: Paper) -> Paper:
 
 
 def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
-    """Return the rows of a print, one for each relation sign; a typed row as it stands."""
+    """Return the rows of a print, one for each relation sign; a typed row unchanged."""
     if row.says is not None:
         if row.corrected and row.corrected.says is None:
             raise ValueError(f"row {row.number!r}: it is typed, so its correction needs its `says`")
@@ -63,7 +63,7 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
 
 
 def _is_on_one_side(upper: Row, lower: Row) -> bool:
-    """Return whether a double sign stands on one side of a relation only."""
+    """Return whether a double sign is on one side of a relation only."""
     pairs = zip(_list_sides(upper.statement), _list_sides(lower.statement), strict=True)
     is_same = upper.says == lower.says and upper.on == lower.on
     is_other = upper.on != lower.on or type(upper.statement) is not type(lower.statement)
@@ -71,7 +71,7 @@ def _is_on_one_side(upper: Row, lower: Row) -> bool:
 
 
 def _join_signs(upper: Row, lower: Row, remedies: Remedies) -> Row:
-    """Assert what a relation says with the upper of its double signs, and with the lower."""
+    """Return a row that asserts a relation both with its upper and with its lower signs."""
     if upper.says == lower.says:
         return upper
     says = (upper.statement, lower.statement)
@@ -94,7 +94,7 @@ def _join_signs(upper: Row, lower: Row, remedies: Remedies) -> Row:
 
 
 def _list_sides(says: Statement) -> Sequence[sp.Basic]:
-    """Return the sides of a statement; of a definition or a number one that is always the same."""
+    """Return the sides of a statement; a single zero for one that has none to compare."""
     if isinstance(says, Equality):
         return says.printed, says.rebuilt
     if isinstance(says, Distinct):
@@ -155,7 +155,7 @@ def _number(row: Row, number: int, count: int, only_equal: bool) -> str:
 
 
 def name_ordinal(number: int) -> str:
-    """Return an ordinal number, in letters as long as it is small."""
+    """Return an ordinal number, spelled out up to the ninth."""
     if number <= len(_ORDINALS):
         return _ORDINALS[number - 1]
     endings = {1: "st", 2: "nd", 3: "rd"} if number % 100 not in (11, 12, 13) else {}
@@ -163,7 +163,7 @@ def name_ordinal(number: int) -> str:
 
 
 def _specialise(row: Row, number: int) -> Row:
-    """Put what one link has instead into its row; values and substitutions are added."""
+    """Put one link's entries into its row; its values and substitutions are added to the row's."""
     link = row.links.get(number, ChainLink())
     own = {f.name: getattr(link, f.name) for f in fields(ChainLink)}
     merged = {name: {**getattr(row, name), **own[name]} for name in ("derived", "substituted")}
@@ -174,7 +174,7 @@ def _specialise(row: Row, number: int) -> Row:
 
 
 def _expand(row: Row, place: _Place, number: str) -> Row:
-    """Make the row of one sign."""
+    """Return the row of a single relation sign."""
     latex = place.read.cut(place.chain, place.left, place.left + 1)
     says, text, note, divisors = row.says, "", row.note, row.divisors
     if says is None:
@@ -213,7 +213,7 @@ def _describe(row: Row, place: _Place) -> str:
 
 
 def _find_unused(place: _Place) -> Iterator[str]:
-    """Say of which sums the index does not stand in the term: it may be meant for another."""
+    """Yield a note for each sum whose term does not contain its index, which may be a misprint."""
     for part in walk(place.nodes):
         if isinstance(part, Repeated):
             letters = {p.symbol for p in walk(part.term) if isinstance(p, Letter)}
@@ -222,14 +222,14 @@ def _find_unused(place: _Place) -> Iterator[str]:
 
 
 def _find_needed(says: Statement) -> Iterator[str]:
-    """Say what must have a value for the first n, although it cancels then."""
+    """Yield a note for each factor that must be defined at the first n, although it cancels."""
     for part in says.parts if isinstance(says, Conjunction) else ():
         for node in part.printed.atoms(ValueWhere) if isinstance(part, Equality) else ():
             yield f"For the first number {node.args[1]} must have a value."
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:
-    """Return where the sign is meant: what the print says of it, and what the row says besides."""
+    """Return where the relation is claimed: under the printed condition and that of the row."""
     condition = place.chain.condition
     if condition is None:
         return row.on
@@ -241,7 +241,7 @@ def _narrow(row: Row, place: _Place) -> Part | None:
 
 
 def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
-    """Refuse a correction under a condition that is not that of its print: it is judged there."""
+    """Refuse a correction with a condition that is not the print's, under which it is judged."""
     if chain.condition not in (None, place.chain.condition):
         raise ValueError(
             f"row {row.number!r}: its correction has a condition of its own: say it in `on`"
@@ -249,7 +249,7 @@ def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
 
 
 def _refuse_other_quantity(row: Row, place: _Place, right: _Place) -> None:
-    """Refuse a correction of both members that keeps neither, or that what it keeps makes true."""
+    """Refuse a correction of both members that keeps neither, or that becomes trivial."""
     printed, corrected = (p.members(p.read.meaning()) for p in (place, right))
     kept = [k for k in (0, 1) if printed[k] == corrected[k]]
     if not kept:
@@ -261,7 +261,7 @@ def _refuse_other_quantity(row: Row, place: _Place, right: _Place) -> None:
 
 
 def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:
-    """Read a correction: of the right member, or of both."""
+    """Read a correction of the right member, or of both members."""
     if correction.says is not None:
         return correction
     read = place.read.reader.parse(correction.latex, row.number, place.read.upper)

@@ -1,4 +1,4 @@
-r"""Largest and smallest values, `\max_\theta f`: a bound everywhere that is reached somewhere."""
+r"""Largest and smallest values, `\max_\theta f`: a bound that holds everywhere and is attained."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _SIGNS = {"max": sp.Le, "min": sp.Ge}
-# Angles at which extrema are looked for, and the difference from the printed value up to which a
-# place counts as one.
+# Arguments of trigonometric functions at which extrema are sought, and the difference from the
+# printed value up to which a place counts as one.
 _TURNS = (sp.S.Zero, sp.pi, sp.pi / 2, -sp.pi / 2, 3 * sp.pi / 2)
 _CLOSE = 1e-12
-# Work limit: orders of the letters by size that are tried.
+# Work limit: number of orders of the letters by size that are tried.
 _ORDERS = 24
 
 
 def is_extremum(parser: Parser) -> bool:
-    r"""Return whether \max or \min stands here with a letter below it, in a paper."""
+    r"""Return whether \max or \min with a letter below it comes next, in a paper with units."""
     follows = [token.text for token in parser.rest[:2]]
     return follows in ([r"\max", "_"], [r"\min", "_"]) and parser.notation.name_unit is not None
 
 
 def read_extremum(parser: Parser) -> Node:
-    r"""Read \max_\theta and the product behind it, which together are a member."""
+    r"""Read \max_\theta and the product after it, which together must be a whole member."""
     start, place = parser.start, parser.place
     name = parser.take().text.strip("\\")
     parser.take("_")
@@ -62,7 +62,7 @@ def _read_letter(parser: Parser, name: str) -> Letter:
 
 
 def give_term(meaning: Meaning, node: Extremum) -> Any:
-    """Return of what it is the extremum."""
+    """Return the expression whose extremum is meant."""
     by = meaning.letter(node.by)
     if by in meaning.values:
         raise meaning.source.refuse(node.by.start, f"{node.by.text} is given by others")
@@ -74,11 +74,12 @@ def give_term(meaning: Meaning, node: Extremum) -> Any:
 def state_extremum(
     node: Extremum, sides: tuple[Any, Any], values: Mapping[sp.Basic, sp.Basic], within: sp.Set
 ) -> Conjunction | None:
-    """State that a term lies on one side of a bound, and that it reaches it.
+    """State that a term lies on one side of a bound, and that it attains it.
 
-    Of a wave that is what its amplitude makes of it. Of others stationary points and ends are tried
-    for where. If it reaches it at none of them, it is compared with what they have at most; None
-    where no such point is found, or where it depends on the order of letters whether it does.
+    A wave is compared by its amplitude. For other terms, stationary points and the ends of `within`
+    are tried as the place. If the bound is attained at none of them, it is compared with the term's
+    extreme value among them. Returns None if no such place is found, or if the order of the letters
+    by size decides whether the bound is attained.
     """
     value, bound = sides
     term, by = settle_all(value, values), node.by.symbol
@@ -89,7 +90,7 @@ def state_extremum(
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
     sign, known = _SIGNS[node.name], settle_all(bound, values)
     reached = [term.xreplace({by: place}) for place in _list_places(term, by, within)]
-    # If the letters are of another order by size, the extremum may lie elsewhere.
+    # For letters of another order by size, the extremum may lie elsewhere.
     orders = [*islice(permutations(letters), _ORDERS)]
     agree = [any(_agree(there, known, one) for there in reached) for one in orders]
     if any(agree) and not all(agree):
@@ -105,7 +106,7 @@ def state_extremum(
         return None
     choose = max if node.name == "max" else min
     extreme = choose(pairs, key=lambda pair: pair[0])[1]
-    # A value that bounds the term everywhere is its extremum, and any other value is not.
+    # A value that bounds the term everywhere is its extremum; no other value is.
     limit = sign(value, extreme, evaluate=False)
     return Conjunction((Holds(limit), Equality(extreme, bound, "member")), needs_first=True)
 
@@ -116,16 +117,16 @@ def _agree(one: sp.Expr, other: sp.Expr, letters: Sequence[sp.Basic]) -> bool:
 
 
 def _evaluate(expression: sp.Expr, letters: Sequence[sp.Basic]) -> sp.Expr | None:
-    """Return the value at numbers that fall from letter to letter, None if it is none."""
+    """Return the value at test numbers for the letters, None if it is not a real number."""
     numbers = {s: sp.Rational(n + 2, 7 * n + 9) for n, s in enumerate(letters)}
     found = expression.xreplace(numbers).evalf()
     return found if found.is_number and found.is_real else None
 
 
 def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
-    r"""Return c and \sqrt{a^2+b^2} of what is c+a\cos kx+b\sin kx for all x, None for another.
+    r"""Return c and \sqrt{a^2+b^2} of a term c+a\cos kx+b\sin kx in x, or None for any other term.
 
-    A speed k that may be zero is needed to be none.
+    If the speed k may be zero, the amplitude requires it to be nonzero.
     """
     cosine, sine = sp.Dummy("cosine", real=True), sp.Dummy("sine", real=True)
     speeds: dict[sp.Expr, None] = {}

@@ -1,4 +1,4 @@
-"""LaTeX -> its signs one by one: blanks and sizes dropped, spellings of one sign made the same."""
+"""LaTeX -> its signs one by one, without blanks and sizes, with one spelling for each sign."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from functools import lru_cache
 from mechproof.latex.characters import GREEK, spell
 from mechproof.latex.words import AND
 
-# The optional spacing behind \\, which ends a row.
+# The optional spacing after \\, which ends a row.
 _LENGTH = r"[\d.]+\s*(?:p[xtc]|e[mx]|[cm]m|in|bp|mu)|[\d.]*\\(?:jot|[a-z]*skip(?:amount)?)"
 SPACING = rf"\*?(?:\s*\[\s*-?(?:{_LENGTH})\s*\])?"
 _SETTING = re.compile(rf"\\(?:arraycolsep|tabcolsep)\s*=?\s*(?:{_LENGTH})")
@@ -22,7 +22,7 @@ _BLANK = (
     # Characters that join letters and print nothing.
     *"\u200c\u200d",
 )
-# Blanks that may separate two statements, or do nothing.
+# Blanks that may separate two statements or have no meaning.
 WIDE, NARROW = r"\quad", "\\ "
 GAPS = {
     **dict.fromkeys((r"\quad", r"\qquad"), WIDE),
@@ -30,13 +30,13 @@ GAPS = {
         ("\\ ", "\\\n", "\\", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW
     ),
 }
-# Old commands that set the type of a whole group, and the new ones that take an argument.
+# Old commands that set the type of a whole group -> the new ones that take an argument.
 _TYPES = {**{r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\sf": r"\mathsf"}, r"\cal": r"\mathcal"}
 # A command, or the brace of a group, with the command that sets its type.
 _COMMAND = re.compile(rf"\\[A-Za-z]+\*?|\{{(?:({'|'.join(map(re.escape, _TYPES))})(?![A-Za-z]))?")
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
-# Bars whose size command says whether they open or close; a plain bar does not say it.
+# Bars whose size command says whether they open or close; a plain bar does not.
 _BARS = {
     **{(size, "."): r"\left." for size in _OPENING},
     **{(size, bar): r"\lvert" for size in _OPENING for bar in ("|", r"\vert")},
@@ -56,18 +56,18 @@ _SAME = {
     **dict.fromkeys((r"\rbrack",), "]"),
     **{r"\neq": r"\ne", r"\simeq": r"\approx", r"\textbf": r"\mathbf"},
     **dict.fromkeys((r"\boldsymbol", r"\pmb"), r"\bm"),
-    # Accents that amsmath places above other accents.
+    # Accents that amsmath puts above other accents.
     **{f"\\{name.title()}": f"\\{name}" for name in ("vec", "hat", "tilde", "bar", "dot", "ddot")},
     **dict.fromkeys((r"\triangleq", r"\coloneqq", r"\doteq", r"\coloneq"), "="),
     r"\lt": "<",
     r"\gt": ">",
     r"\{": "[",
     r"\}": "]",
-    # In Markdown a backslash says that a bracket is one.
+    # In Markdown a backslash marks a literal bracket.
     r"\(": "(",
     r"\)": ")",
 }
-# A star above a letter, which belongs to its name as a prime does.
+# A star above a letter is part of its name, as a prime is.
 STAR = "^*"
 SUFFIXES = ("'", STAR)
 # Dot and cross, which mean the same between numbers.
@@ -76,7 +76,7 @@ DOTS = (r"\cdot", r"\times")
 
 @dataclass(frozen=True)
 class Token:
-    """A sign and where it stands in the source."""
+    """A sign and its place in the source."""
 
     text: str
     start: int
@@ -89,7 +89,7 @@ CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil", r"\rangle")
 
 
 def measure_depths(texts: Iterable[str]) -> Iterator[int]:
-    """Yield how deep each sign stands in brackets and environments."""
+    """Yield the number of brackets and environments around each sign."""
     depth = 0
     for text in texts:
         depth -= text in CLOSING or text.startswith(r"\end{")
@@ -98,19 +98,19 @@ def measure_depths(texts: Iterable[str]) -> Iterator[int]:
 
 
 def find_close(texts: Sequence[str]) -> int:
-    """Return the place of what closes the bracket that texts begin with, without one their end."""
+    """Return the place of the sign that closes the first one, or the number of texts."""
     return next((n for n, depth in enumerate(measure_depths(texts)) if n and not depth), len(texts))
 
 
 @lru_cache(1024)
 def same_sign(sign: str) -> str:
-    r"""Return the sign that one is read as: \le for \leq and for its character."""
+    r"""Return the sign as which a sign is read: \le for \leq and for the character ≤."""
     (first, *others) = spell(sign) if len(sign) == 1 else (sign,)
     return sign if others else _SAME.get(first, first)
 
 
 def find_command(latex: str, place: int) -> str:
-    """Return the command or the brace that begins at a place, nothing for another sign."""
+    """Return the command or brace that begins at a place, "" for any other sign."""
     match = _COMMAND.match(latex, place)
     return _TYPES.get(match[1], match[0]) if match else ""
 
@@ -123,7 +123,7 @@ def _find_signs(latex: str) -> Iterator[Token]:
             yield Token(r"\\", match.start(), match.start() + 2)
             continue
         if match[0][1:-1] in GREEK and match[0].endswith("*"):
-            # A letter has no form with a star: this is a sign of multiplication.
+            # No letter has a starred form: the star is a multiplication sign.
             yield Token(match[0][:-1], match.start(), match.end() - 1)
             yield Token("*", match.end() - 1, match.end())
             continue
@@ -132,7 +132,7 @@ def _find_signs(latex: str) -> Iterator[Token]:
 
 
 def split_signs(latex: str) -> list[Token]:
-    """Return the signs of a print in their order, with the gaps that may part."""
+    """Return the signs of a print in order, including the gaps that may separate statements."""
     signs: list[Token] = []
     size, place = "", 0
     for sign in _find_signs(latex):
@@ -142,7 +142,7 @@ def split_signs(latex: str) -> list[Token]:
             size, place = sign.text, sign.start
             continue
         if size in _OPENING and sign.text == "." and _closes_nothing(signs):
-            # A bracket goes on in another line: \left(a\right.\left.b\right).
+            # The bracket continues on another line: \left(a\right.\left.b\right).
             while signs.pop().text in GAPS.values():
                 pass
             size = ""
@@ -172,7 +172,7 @@ def _closes_nothing(signs: list[Token]) -> bool:
 
 
 def join(texts: Sequence[str] | Iterator[str]) -> str:
-    r"""Join pieces of LaTeX; \sin and x need a blank between them."""
+    r"""Join pieces of LaTeX, with a blank between a command and a letter, as in \sin x."""
     joined = ""
     for text in texts:
         apart = re.search(r"\\[A-Za-z]+$", joined) and re.match(r"[A-Za-z]", text)

@@ -1,7 +1,7 @@
-r"""Scripts at the left of a letter, `{}^A_B R`: where they stand, and what they belong to.
+r"""Scripts to the left of a letter, `{}^A_B R`: where they are, and what they belong to.
 
-In all their spellings (`{}^A_BR`, `{^A_B}R`, `{^A_BR}`, `{ }_{B}^{A}R`, `R\ ^BP`) they are the sign
-`LEFT` with the scripts behind it, the upper one first, before the letter.
+All their spellings (`{}^A_BR`, `{^A_B}R`, `{^A_BR}`, `{ }_{B}^{A}R`, `R\ ^BP`) become the sign
+`LEFT` followed by the scripts, the upper one first, in front of the letter.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ UPRIGHT = (
 )
 TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
 _SCRIPTS = ("^", "_")
-# Signs behind which a script has no base to its left.
+# Signs after which a script has no base to its left.
 _OPERATORS = (
     *("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv", "+", "-", r"\pm", r"\mp", "/"),
     *(r"\cdot", r"\times", r"\to", ",", ";", "&", r"\\", "(", "[", r"\lvert", ":"),
@@ -34,24 +34,24 @@ _OPERATORS = (
 
 
 def begins_letter(text: str) -> bool:
-    """Return whether a sign begins a name, its accent or its left scripts included."""
+    """Return whether a sign begins a name, including an accent or left scripts."""
     return is_letter(text) or text[1:] in GREEK or text in (*ACCENTS, LEFT)
 
 
 def stands_alone(before: Sequence[str]) -> bool:
-    """Return whether nothing that could bear a script stands at the end of these signs."""
+    """Return whether these signs do not end with anything that could carry a script."""
     return not before or before[-1] in _OPERATORS or before[-1].startswith(r"\begin{")
 
 
 def skip_empty(texts: Sequence[str], place: int) -> int:
-    """Return the place behind pairs of braces with nothing in them."""
+    """Return the place after any empty pairs of braces."""
     while list(texts[place : place + 2]) == ["{", "}"]:
         place += 2
     return place
 
 
 def find_base(texts: Sequence[str], place: int) -> tuple[int, list[str]]:
-    """Return the place behind scripts, and what these are, sign by sign."""
+    """Return the place after consecutive scripts, and the signs of the scripts."""
     inside: list[str] = []
     while texts[place : place + 1] and texts[place] in _SCRIPTS:
         end = _find_end(texts, place + 1)
@@ -70,12 +70,12 @@ def _find_end(texts: Sequence[str], place: int) -> int:
 
 
 def may_begin(text: str) -> bool:
-    """Return whether a sign before normalisation may begin a letter."""
+    """Return whether a sign may begin a letter, before the signs are normalised."""
     return begins_letter(text) or text in (*UPRIGHT, *TEXT, "{")
 
 
 def is_power(inside: Sequence[str]) -> bool:
-    """Return whether one script may well be that of what stands before it: a number, a T."""
+    """Return whether a single script may belong to the base before it, like a number or a T."""
     marks = sum(text in _SCRIPTS for text in inside)
     plain = [text for text in inside if text not in ("{", "}", *_SCRIPTS)]
     # Nobody prints a power of zero or one.

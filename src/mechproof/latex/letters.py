@@ -45,7 +45,7 @@ _SCRIPT_TYPES = (r"\mathcal", r"\mathscr", r"\mathfrak")
 
 
 def check_bracket_after(parser: Parser, left: Node) -> None:
-    """Refuse a round bracket after a letter, unless the letter is declared to be a factor."""
+    """Refuse a round bracket after a letter, unless the letter is known to be a factor."""
     letter = left.base if isinstance(left, Power) else left
     letter = letter.of if isinstance(letter, Transposed) else letter
     if isinstance(letter, Derivation) and parser.text == "(":
@@ -61,7 +61,7 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
     if letter.text in parser.factors or (is_matrix and not _may_be_called(parser)):
         return
     if place not in parser.multiplied:
-        # Kept, because each nested bracket would be read twice for every one around it.
+        # Remembered: otherwise each nested bracket would be read twice for every enclosing one.
         parser.multiplied[place] = _multiplies(parser, letter)
     if not parser.multiplied[place]:
         printed = parser.source.latex[letter.start : letter.end]
@@ -72,7 +72,7 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
 
 
 def _refuse_place(parser: Parser) -> None:
-    r"""Refuse \frac{dx}{dt}(t_0), which may be a value at a place, or a product."""
+    r"""Refuse \frac{dx}{dt}(t_0), which may be the value at t_0, or a product."""
     bracket, _ = _look_at_bracket(parser)
     if isinstance(bracket, Bracket) and isinstance(bracket.inside, Letter | Number):
         raise parser.refuse(
@@ -82,10 +82,10 @@ def _refuse_place(parser: Parser) -> None:
 
 
 def _multiplies(parser: Parser, letter: Letter) -> bool:
-    r"""Return whether a bracket multiplies a letter: s(s-a), r(1-\cos\varphi), k(a+b).
+    r"""Return whether a bracket multiplies the letter before it: s(s-a), r(1-\cos\varphi), k(a+b).
 
-    It does if the letter stands in it as a number, or if units tell so: the letter depends on
-    nothing but time, and the bracket is a sum that is no argument.
+    It does if the letter itself appears in the bracket, or if units decide: the letter depends on
+    nothing but time, and the bracket is a sum that cannot be its argument.
     """
     bracket, _ = _look_at_bracket(parser)
     inside = bracket.inside if isinstance(bracket, Bracket) else None
@@ -96,14 +96,14 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     if letter.symbol not in known or any(known.get(one) != TIME for one in by):
         return False
     is_sum = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=bool(by))
-    # A bracket that cannot be read is refused later, where it stands.
+    # A bracket that cannot be read is refused later, at its own place.
     return bracket is None or is_sum
 
 
 def read_argument_behind(parser: Parser, raised: Power | Transposed) -> Node:
-    r"""Read what a declared name has in its bracket behind a power: R^T(\theta) is R(\theta)^T.
+    r"""Read a declared name's bracket after its power: R^T(\theta) is R(\theta)^T.
 
-    f^{-1}(x) may be an inverse function.
+    A power such as f^{-1}(x) is left to others, as it may be an inverse function.
     """
     base = raised.of if isinstance(raised, Transposed) else raised.base
     exponent = raised.exponent if isinstance(raised, Power) else None
@@ -122,7 +122,7 @@ def read_argument_behind(parser: Parser, raised: Power | Transposed) -> Node:
 
 
 def _may_be_called(parser: Parser) -> bool:
-    r"""Return whether a bracket behind a matrix may be an argument: R(2\theta), not A(x+y)."""
+    r"""Return whether a bracket after a matrix may be its argument: R(2\theta), not A(x+y)."""
     bracket, behind = _look_at_bracket(parser)
     if not isinstance(bracket, Bracket):
         # A column is printed as (x,y)^T.
@@ -133,7 +133,7 @@ def _may_be_called(parser: Parser) -> bool:
 
 
 def _look_at_bracket(parser: Parser) -> tuple[Node | None, str]:
-    """Return the bracket that stands here and the sign behind it, nothing if it is not read."""
+    """Return the bracket here and the sign after it without moving on; (None, "") if unreadable."""
     place, count = parser.place, len(parser.collected)
     try:
         return parser.read_atom(), parser.text
@@ -166,11 +166,11 @@ def read_letter(parser: Parser, match: Match | None) -> Node:
 
 
 def _refuse_italics(parser: Parser) -> None:
-    """Refuse letters side by side that begin like a function."""
+    """Refuse adjacent letters that look like a word or a function set in italics."""
     found = _WORD.match(parser.source.latex, parser.start)
     if found is None or parser.text != found[0][0]:
         return
-    # The letters of \frac lg stand in arguments of their own.
+    # The letters of \frac lg are separate arguments, not a word.
     tokens = zip(parser.tokens[parser.place :], found[0], strict=False)
     word = "".join(letter for _, letter in takewhile(lambda one: one[0].text == one[1], tokens))
     if word in ITALICS:
@@ -221,7 +221,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
     other = parser.names.longer(match.name, "(") if parser.text == "(" else None
     is_rate = any(letter.symbol in rates for _, rates in parser.notation.moving.values())
     is_factor = letter.text in parser.factors or _is_of_others(parser, letter)
-    # A relation in a bracket behind a wide gap is a condition.
+    # A relation in brackets after a wide gap is a condition.
     gap = parser.source.latex[letter.end : parser.start]
     is_factor |= "quad" in gap and side_conditions.is_bracketed(parser)
     if other and not is_rate and not is_factor:
@@ -233,9 +233,9 @@ def _read_name(parser: Parser, match: Match) -> Node:
 
 
 def _is_called(parser: Parser, letter: Letter) -> bool:
-    """Return whether a letter that depends, and always has a bracket, has its argument there.
+    """Return whether the bracket after a letter that always has one contains its argument.
 
-    A letter that depends on time is multiplied by a sum without time.
+    It does not if the letter depends on time and the bracket is a sum without time.
     """
     if letter.text not in parser.notation.bracketed or letter.text in parser.factors:
         return False
@@ -253,7 +253,7 @@ def _is_called(parser: Parser, letter: Letter) -> bool:
 
 
 def _is_of_others(parser: Parser, letter: Letter) -> bool:
-    """Return whether a bracket holds nothing on which a letter could depend: other dimensions."""
+    """Return whether no letter in a bracket has the dimension of what the letter depends on."""
     moving, known = parser.notation.moving, parser.notation.dimensions
     by = moving[letter.symbol][0] if letter.symbol in moving else None
     texts = [token.text for token in parser.tokens[parser.place :]]
@@ -266,7 +266,7 @@ def _is_of_others(parser: Parser, letter: Letter) -> bool:
 
 
 def _refuse_running_index(parser: Parser, match: Match) -> None:
-    """Refuse one quantity with an index that runs here: it is a family."""
+    """Refuse a single quantity whose index runs here: it should be declared as a family."""
     signs = match.name.signs
     script = signs[signs.index("_") + 2 :] if "_" in signs else ()
     letters = script[: script.index("}")] if script else ()
@@ -289,7 +289,7 @@ def _refuse_continuation(parser: Parser, latex: str, place: int) -> None:
 
 
 def _read_indices(parser: Parser, start: int, end: int) -> list[Node]:
-    """Read the indices of a family: letters one by one, or one expression."""
+    """Read the indices of a family: single letters and numbers, or one expression."""
     parser.place = start
     if any(token.text in ("+", "-") for token in parser.tokens[start:end]):
         return [_read_index_sum(parser, end)]

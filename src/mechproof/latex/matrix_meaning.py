@@ -1,10 +1,11 @@
-r"""What is printed of vectors and matrices -> SymPy.
+r"""Printed vectors and matrices -> SymPy.
 
 `a\cdot b` of two columns is a number, `a\times b` of two with three entries a column; between
-matrices both signs say what none says. What depends on which product comes first is refused.
+matrices both signs mean the same as no sign. A product whose value depends on which factors are
+multiplied first is refused.
 
-A power of a matrix to a whole number n is read as what it is for the first n and at each step:
-A^n = B(n) for n = 1, 2, ... says that B(1) = A and B(n + 1) = B(n)A, and no more.
+A power of a matrix to a whole number n is read by its first value and its recursion:
+A^n = B(n) for n = 1, 2, ... asserts that B(1) = A and B(n + 1) = B(n)A, and no more.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ def assemble(rows: Sequence[Sequence[Any]]) -> sp.ImmutableMatrix:
 
 
 def _measure(entries: Sequence[Any], axis: int) -> int:
-    """Return how many rows or columns a row or column of blocks has."""
+    """Return the number of rows (axis 0) or columns (axis 1) of blocks side by side."""
     sizes = {entry.shape[axis] for entry in entries if is_matrix(entry)} or {1}
     if len(sizes) > 1:
         raise ValueError("blocks of different sizes")
@@ -76,9 +77,9 @@ def _fill(entry: Any, height: int, width: int) -> sp.Matrix:
 
 
 def cut(matrix: Any, ranges: Sequence[tuple[int, int] | None]) -> Any:
-    """Return rows and columns of a matrix, counted from 1, the last one included; None is all.
+    """Return rows and columns of a matrix, counted from 1, the last included; None means all.
 
-    Raises `ValueError` for what it does not have.
+    Raises `ValueError` for rows or columns that it lacks.
     """
     shown = show_entries(matrix)
     if len(ranges) == 1 and shown.shape[1] == 1:
@@ -130,7 +131,7 @@ def give_magnitude(meaning: Meaning, node: Magnitude) -> sp.Expr:
 
 
 def give_transposed(meaning: Meaning, node: Transposed) -> Any:
-    """Return the transposed of a matrix."""
+    """Return the transpose of a matrix."""
     whole = meaning.of(node.of)
     if not is_matrix(whole):
         raise meaning.source.refuse(node.start, "the transposed of what is no matrix", ENTRIES)
@@ -138,18 +139,18 @@ def give_transposed(meaning: Meaning, node: Transposed) -> Any:
 
 
 def is_power(value: Any) -> bool:
-    """Tell whether a value is a power of a matrix to a whole number."""
+    """Return whether a value is an unevaluated power of a matrix."""
     return isinstance(value, sp.MatPow)
 
 
 def raise_matrix(base: sp.MatrixBase, exponent: sp.Expr) -> sp.MatPow | None:
-    """Return a power that is not worked out, to a letter that counts; None of other exponents."""
+    """Return an unevaluated power to a letter that counts, None for any other exponent."""
     is_count = exponent.is_Symbol and exponent.is_integer and exponent.is_nonnegative
     return sp.MatPow(base, exponent) if is_count and base.is_square else None
 
 
 def says_from_one_on(relation: sp.Basic) -> bool:
-    """Tell whether a relation says no more of a letter that counts from 1 on than that."""
+    """Return whether a relation only repeats that a positive symbol counts from one."""
     is_lower = isinstance(relation, sp.GreaterThan | sp.StrictGreaterThan)
     return bool(
         is_lower
@@ -160,9 +161,9 @@ def says_from_one_on(relation: sp.Basic) -> bool:
 
 
 def state_power(sides: Sequence[Any], counts: Collection[sp.Basic]) -> Conjunction | None:
-    """Return what an equation with a power on one side says; None where that is not clear.
+    """Return what an equation with a matrix power on one side asserts, or None if that is unclear.
 
-    The exponent is any of the whole numbers from 0 or 1 on, as `counts` are.
+    The exponent must be one of `counts`, which run over all whole numbers from 0 or 1.
     """
     powers = [side for side in sides if isinstance(side, sp.MatPow)]
     values = [side for side in sides if isinstance(side, sp.MatrixBase)]
@@ -181,14 +182,14 @@ def state_power(sides: Sequence[Any], counts: Collection[sp.Basic]) -> Conjuncti
 
 
 def _put_in(entry: sp.Expr, count: sp.Basic, number: sp.Integer) -> sp.Expr:
-    """Put in a number; what then cancels and may have no value, as in n*a^(n - 1), is kept."""
+    """Put in a number, keeping powers that cancel but may be undefined, as in n*a^(n - 1)."""
     found = substitute(entry, {count: number})
     powers = (substitute(power, {count: number}) for power in entry.atoms(sp.Pow))
     return reduce(ValueWhere, (p for p in powers if list_divisors(p) and not found.has(p)), found)
 
 
 class UnclearProductError(ValueError):
-    """Factors of which it is not clear how they are multiplied: the reason, and the remedy."""
+    """A product that may be read in several ways; its arguments are the reason and the remedy."""
 
 
 def is_matrix(value: Any) -> bool:
@@ -197,12 +198,12 @@ def is_matrix(value: Any) -> bool:
 
 
 def show_entries(value: Any) -> Any:
-    """Return a matrix with its entries, those of a symbol as elements of it."""
+    """Return a matrix with its entries written out, those of a symbol as its elements."""
     return value.as_explicit() if isinstance(value, sp.MatrixExpr) else value
 
 
 def invert(matrix: Any) -> Any:
-    """Return the inverse of a matrix; `ValueError` for one that is not square."""
+    """Return the inverse of a matrix; raises `ValueError` if it is not square."""
     shown = show_entries(matrix)
     if not shown.is_square:
         raise ValueError("only square matrices have an inverse")
@@ -211,13 +212,13 @@ def invert(matrix: Any) -> Any:
 
 
 def make_cross_matrix(vector: Any) -> sp.ImmutableMatrix:
-    """Return the matrix of a cross product; `ValueError` for what has not three entries."""
+    """Return the matrix of a cross product; raises `ValueError` unless there are three entries."""
     x, y, z = show_entries(vector)
     return sp.ImmutableMatrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
 
 
 def give_inner_product(one: Any, other: Any) -> sp.Expr:
-    """Return the product of two vectors; `ValueError` for others, also of different sizes."""
+    """Return the inner product; raises `ValueError` unless both are vectors of the same size."""
     shown = [show_entries(value) for value in (one, other) if is_vector(value)]
     if len(shown) != 2 or len(shown[0]) != len(shown[1]):
         raise ValueError("an inner product needs two vectors of one size")
@@ -225,7 +226,7 @@ def give_inner_product(one: Any, other: Any) -> sp.Expr:
 
 
 def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
-    """Return a product; `UnclearProductError` where it may be one of several."""
+    """Return a product; raises `UnclearProductError` if it can be read in several ways."""
     if not any(map(is_matrix, values)):
         return sp.Mul(*values)
     signs = signs or ("",) * (len(values) - 1)
@@ -236,7 +237,7 @@ def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
     _refuse_third(parts, vectors)
     one, other = map(show_entries, vectors)
     if one.shape != other.shape and other.shape[1] > 1:
-        # Some read a column before a row as a number, others as a matrix.
+        # Some read a column times a row as a number, others as a matrix.
         raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts), one.dot(other))
 
@@ -244,7 +245,7 @@ def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
 def _split(
     values: Sequence[Any], signs: Sequence[str], sign: str
 ) -> Iterator[tuple[Sequence[Any], Sequence[str]]]:
-    """Yield the factors between two of a sign, with the other signs between them."""
+    """Yield the factors between occurrences of `sign`, with the other signs between them."""
     ends = [n + 1 for n, one in enumerate(signs) if one == sign]
     for start, end in zip([0, *ends], [*ends, len(values)], strict=True):
         yield values[start:end], signs[start : end - 1]
@@ -260,14 +261,14 @@ def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
         return reduce(mul, parts)
     _refuse_third(parts, vectors)
     turned = [n for n, run in enumerate(runs, 1) if sum(map(is_matrix, run)) > 1]
-    # With a matrix between the cross and a vector, both orders of multiplying agree.
+    # With a matrix between the cross and a vector, both orders of multiplication agree.
     if turned and (turned != [len(runs)] or not is_vector(parts[-1]) or is_vector(runs[-1][0])):
         raise UnclearProductError(*_SIDE_BY_SIDE)
     return sp.Mul(*_find_numbers(parts)) * _cross_entries(*map(show_entries, vectors))
 
 
 def _cross_entries(one: Any, other: Any) -> Any:
-    """Return a cross product; that of a vector along z by one in the plane is in the plane."""
+    """Return a cross product; for a vector along z and one in the plane, it lies in the plane."""
     if {len(one), len(other)} != {2, 3}:
         return one.cross(other)
     x, y, z = sp.Matrix([*one, 0][:3]).cross(sp.Matrix([*other, 0][:3]))
@@ -286,12 +287,12 @@ def _find_numbers(parts: Sequence[Any]) -> list[Any]:
 
 
 def is_vector(value: Any) -> bool:
-    """Return whether a value has one row or one column, of several entries."""
+    """Return whether a value is a single row or column with several entries."""
     return is_matrix(value) and 1 in value.shape and value.shape != (1, 1)
 
 
 def _take_number(product: Any, values: Sequence[Any]) -> Any:
-    """Return the entry of a row times a column."""
+    """Return the only entry of a 1x1 product of vectors, any other product unchanged."""
     if is_matrix(product) and product.shape == (1, 1) and any(map(is_vector, values)):
         return show_entries(product)[0, 0]
     return product

@@ -1,4 +1,4 @@
-"""Tree -> SymPy: what a print says in the symbols of its paper."""
+"""Tree -> SymPy: what a print means in the symbols of its paper."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
 
 
 class Meaning:
-    """Turns trees of one row into expressions.
+    """Turns the trees of one row into expressions.
 
-    `values` are the values of symbols that are given by others, as this row has them: what is
-    integrated has to show its variable, and a matrix its entries.
+    `values` gives the values of symbols that are defined by others, as this row has them: an
+    integrand has to show its variable, and a matrix its entries.
     """
 
     def __init__(
@@ -70,10 +70,10 @@ class Meaning:
 
     @without_estimates()
     def side(self, node: tree.Node) -> Any:
-        """Return the expression of a node, with the parts that SymPy has cancelled as its needs.
+        """Return the expression of a node, requiring values for the parts that SymPy has cancelled.
 
-        A root, a logarithm or an integral that is printed must have a value, whatever it is
-        multiplied by or taken from.
+        A printed root, logarithm or integral must have a value, whatever it is multiplied by or
+        subtracted from.
         """
         outside, self._met = self._met, {}
         divisors, self.divisors = self.divisors, {}
@@ -91,7 +91,7 @@ class Meaning:
         return reduce(ValueWhere, lost, value)
 
     def of(self, node: tree.Node) -> Any:
-        """Return the expression of a node; `ReadingError` for a division by zero and the like."""
+        """Return the expression of a node; raises `ReadingError` for a division by zero, etc."""
         raised = self._raised
         try:
             found = self._find(node)
@@ -100,7 +100,7 @@ class Meaning:
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
             told = str(error) if isinstance(error, MeaningError) else self._tell_unfit(node)
             raise self.source.refuse(node.start, told) from error
-        # SymPy would work such a power out, for some matrices with those parameters only.
+        # SymPy would evaluate such a power, for some matrices only and with those parameters.
         if self._raised > raised and not isinstance(node, tree.Power | tree.Bracket):
             raise self.source.refuse(node.start, self._tell_unfit(node))
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
@@ -113,7 +113,7 @@ class Meaning:
         return found
 
     def _tell_unfit(self, node: tree.Node) -> str:
-        """Say that parts do not fit together, and which letters among them are matrices."""
+        """Return a message that parts do not fit together, naming the letters that are matrices."""
         letters = [part for part in tree.walk(node) if isinstance(part, tree.Letter)]
         values = {one.text: self.values.get(one.symbol, one.symbol) for one in letters}
         shapes = {
@@ -123,7 +123,10 @@ class Meaning:
         return "; ".join((_UNFIT, *told))
 
     def _find(self, node: tree.Node) -> Any:
-        """Return what a node is; what it divides by where a letter is bound, or in cases, stays."""
+        """Return the value of a node.
+
+        The divisors inside a node that binds a letter, or inside cases, are not passed on.
+        """
         if not isinstance(node, (*calculus_meaning.BINDING, tree.Cases)):
             return _RULES[type(node)](self, node)
         divisors, lost = {**self.divisors}, {**self.lost}
@@ -134,7 +137,7 @@ class Meaning:
         return found
 
     def relate(self, chain: tree.Chain) -> tuple[sp.Basic, ...]:
-        """Return the relations of a chain, left as they stand."""
+        """Return the relations of a chain, unevaluated."""
         members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
             raise self.source.refuse(
@@ -150,7 +153,7 @@ class Meaning:
         return self.take_number(node, self.of(node))
 
     def take_number(self, node: tree.Node, found: Any) -> Any:
-        """Return what has to be a number; of matrices sums, integrals and so on are not read."""
+        """Return a value that has to be a scalar; raises `ReadingError` for a matrix."""
         if matrix_meaning.is_matrix(found):
             raise self.source.refuse(
                 node.start, "a matrix where a number is meant", matrix_meaning.ENTRIES
@@ -170,7 +173,7 @@ class Meaning:
         terms = [sign * self.of(term) for sign, term in node.terms]
         if not _any_matrix(terms):
             return sp.Add(*terms)
-        # Zero stands for a matrix of zeros beside a matrix.
+        # Next to a matrix, a zero stands for a matrix of zeros.
         return reduce(add, [term for term in terms if matrix_meaning.is_matrix(term) or term != 0])
 
     def _quotient(self, node: tree.Quotient) -> Any:

@@ -31,7 +31,7 @@ _ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
 
 
 def read_measure(parser: Parser) -> tree.Number | tree.Measure:
-    """Read a number, and the unit behind it: all that follows in its member, or what is upright."""
+    """Read a number and its unit: the rest of the member, or the upright signs after the number."""
     is_first = begins_member(parser, parser.place)
     alone, name_unit = read_number(parser), parser.notation.name_unit
     if name_unit is None:
@@ -47,7 +47,7 @@ def read_measure(parser: Parser) -> tree.Number | tree.Measure:
 
 
 def _take_power(parser: Parser, number: tree.Number) -> tree.Number:
-    r"""Return a number with the power of ten behind it, 2.1\cdot10^5; ten may be one itself."""
+    r"""Return a number together with a power of ten after it, 2.1\cdot10^5, or 10^5 itself."""
     latex, is_ten = parser.source.latex, number.text == "10"
     times = _POWER.match(latex, parser.end)
     match = times or (_EXPONENT.match(latex, parser.end) if is_ten else None)
@@ -62,14 +62,14 @@ def _take_power(parser: Parser, number: tree.Number) -> tree.Number:
 
 
 def begins_member(parser: Parser, place: int) -> bool:
-    """Return whether a relation stands before a place, or before the sign there."""
+    """Return whether a member begins at a place, or at the sign in front of it."""
     if place and parser.tokens[place - 1].text in ("-", "+"):
         place -= 1
     return place == 0 or parser.tokens[place - 1].text in (*_ENDS, *RELATIONS)
 
 
 def _find_end(parser: Parser) -> int:
-    """Return the place behind the signs of a unit that end a member, else where it begins."""
+    """Return the place after a unit that ends a member, or the current place if there is none."""
     place, has_unit = parser.place, False
     while place < len(parser.tokens) and parser.tokens[place].text not in _ENDS:
         text, before = parser.tokens[place].text, parser.tokens[place - 1].text
@@ -85,7 +85,7 @@ def _find_end(parser: Parser) -> int:
 
 
 def read_unit(parser: Parser) -> tree.Measure | None:
-    """Read a unit behind what is calculated, as one of it."""
+    """Read a unit after a calculated value, as one times that unit; None if there is none."""
     unit, last, start = *_find_unit(parser), parser.start
     if not unit:
         return None
@@ -94,12 +94,12 @@ def read_unit(parser: Parser) -> tree.Measure | None:
 
 
 def is_unit(parser: Parser) -> bool:
-    """Return whether a unit stands behind what is calculated."""
+    """Return whether a unit follows a calculated value."""
     return bool(_find_unit(parser)[0])
 
 
 def _find_unit(parser: Parser) -> tuple[str, int]:
-    """Return the unit behind what is calculated, nothing for none, and the place behind it."""
+    """Return the unit after a calculated value, "" if there is none, and the place after it."""
     place, name_unit = parser.place, parser.notation.name_unit
     before = parser.tokens[place - 1].text if place else ""
     if name_unit is None or parser.collects or not (before[-1:].isdigit() or before in ("}", ")")):
@@ -111,7 +111,7 @@ def _find_unit(parser: Parser) -> tuple[str, int]:
 
 
 def _find_upright_end(parser: Parser) -> int:
-    r"""Return the place behind a unit in upright signs, \mathrm{N}/\mathrm{mm}^2, else this one."""
+    r"""Return the place after upright units, \mathrm{N}/\mathrm{mm}^2, or the current place."""
     texts = [token.text for token in parser.tokens[parser.place : parser.place + 6]]
     is_empty = texts[:1] == ["{}"]
     if _CELSIUS.fullmatch("".join(texts[is_empty : is_empty + 5])):
@@ -131,7 +131,7 @@ def _skip_unit(parser: Parser, place: int) -> int:
 
 
 def _skip_factor(parser: Parser, place: int) -> int:
-    """Return the place behind an upright sign with its exponent, or a fraction of such."""
+    """Return the place after an upright sign with its exponent, or a fraction of such signs."""
     if place < len(parser.tokens) and parser.tokens[place].text == r"\frac":
         return _skip_group(parser, _skip_group(parser, place + 1)) or place
     first = place + (place < len(parser.tokens) and _is_micro(parser, place))
@@ -149,7 +149,7 @@ def _skip_factor(parser: Parser, place: int) -> int:
 
 
 def _skip_group(parser: Parser, place: int) -> int:
-    """Return the place behind a group of upright signs, or with a one, 0 if it has others."""
+    """Return the place after a group of upright signs, or of a one; 0 if it contains others."""
     texts = [token.text for token in parser.tokens[place:]]
     if not place or texts[:1] != ["{"]:
         return 0
@@ -168,15 +168,15 @@ def _is_upright(parser: Parser, place: int) -> bool:
 
 
 def _is_micro(parser: Parser, place: int) -> bool:
-    r"""Return whether a \mu stands before a unit."""
+    r"""Return whether \mu is the prefix micro, in front of a unit."""
     is_mu = parser.tokens[place].text == r"\mu"
     return is_mu and place + 1 < len(parser.tokens) and _is_upright(parser, place + 1)
 
 
 def put_units(chain: tree.Chain, weigh: Callable[[str], sp.Expr | None]) -> tree.Chain:
-    """Let numbers with units beside letters be quantities: `weigh` returns what a unit is.
+    """Turn numbers with units next to letters into quantities: `weigh` returns a unit's value.
 
-    Where it returns nothing for one, the number stays as it is.
+    If it returns None, the number remains as it is.
     """
 
     def change(node: tree.Node) -> tree.Node | None:
@@ -196,10 +196,10 @@ def put_units(chain: tree.Chain, weigh: Callable[[str], sp.Expr | None]) -> tree
 def find_number(
     nodes: tuple[tree.Node, ...], sides: tuple[Any, Any]
 ) -> tuple[str, Any, str, tuple[str, str]]:
-    """Return the digits of the side that is a number, with its sign, the other side, the unit.
+    """Return the digits and sign of the side that is a number, the other side, and the unit.
 
-    The last results are the digits and the unit of the other side, if it is a number with a unit,
-    too. A calculation has no digits, but a unit.
+    The last result is the pair of digits and unit of the other side, if that too is a number with a
+    unit. A calculation has a unit but no digits.
     """
     for node, partner, other in zip(reversed(nodes), nodes, sides, strict=True):
         digits, unit = _read_digits(node)
@@ -210,14 +210,14 @@ def find_number(
 
 
 def _read_given(node: tree.Node) -> tuple[str, str]:
-    """Return the digits of a number with a unit, and that, too; of what is calculated all."""
+    """Return the digits and unit of a number with a unit or of a calculation, else ("", "")."""
     if isinstance(node, tree.Calculated):
         return str(sp.N(node.value, _DIGITS)).lower().replace("+", ""), node.unit
     return _read_digits(node) if isinstance(split_sign(node)[1], tree.Measure) else ("", "")
 
 
 def _read_digits(node: tree.Node) -> tuple[str, str]:
-    """Return the digits of a number, with its sign, and its unit; nothing for what is none."""
+    """Return the digits of a number, with its sign, and its unit; ("", "") for other nodes."""
     sign, inside = split_sign(node)
     if isinstance(inside, tree.Number):
         return sign + inside.text, ""
@@ -229,13 +229,13 @@ def _read_digits(node: tree.Node) -> tuple[str, str]:
 
 
 def name_unit_behind(node: tree.Node) -> str:
-    """Return the unit of a number, nothing for what has none."""
+    """Return the unit of a number, "" if it has none."""
     inside = split_sign(node)[1]
     return inside.unit if isinstance(inside, tree.Measure | tree.Calculated) else ""
 
 
 def find_factor(nodes: tuple[tree.Node, ...]) -> str:
-    """Return the digits of the only decimal of members, if it is a factor of one of them."""
+    """Return the digits of the only decimal in the members if it is a factor of one, else ""."""
     decimals = [one for one in tree.walk(nodes) if isinstance(one, tree.Number) and "." in one.text]
     members = (split_sign(node)[1] for node in nodes)
     factors = [
@@ -245,14 +245,14 @@ def find_factor(nodes: tuple[tree.Node, ...]) -> str:
 
 
 def split_sign(node: tree.Node) -> tuple[str, tree.Node]:
-    """Return the sign before a node, and that without it."""
+    """Return the sign in front of a node ("-" or ""), and the node without it."""
     if isinstance(node, tree.Add) and len(node.terms) == 1:
         return "-", node.terms[0][1]
     return "", node
 
 
 def is_number(node: tree.Node) -> bool:
-    """Return whether a node is a number, with a sign and a unit at most, or calculated."""
+    """Return whether a node is a number, possibly with a sign and a unit, or a calculation."""
     return isinstance(
         split_sign(node)[1], tree.Number | tree.Measure | tree.Degrees | tree.Calculated
     )

@@ -1,4 +1,4 @@
-r"""Remainders and congruences: a\bmod n, and a\equiv b\pmod n, where both leave the same."""
+r"""Remainders and congruences: a\bmod n, and a\equiv b\pmod n, where both leave the same one."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _REMAINDER = PrintedFunction("mod", lambda number, by: number - by * sp.floor(nu
 
 
 def is_next(parser: Parser) -> bool:
-    r"""Return whether what is divided by stands next: \bmod n, \pmod n, (\text{mod }n)."""
+    r"""Return whether a modulus comes next: \bmod n, \pmod n, (\text{mod }n)."""
     is_bracketed = parser.text == "(" and parser.peek() in _BRACKETED
     return is_bracketed or parser.text in (*_BESIDE, *_BEHIND)
 
 
 def read_remainder(parser: Parser, number: Node, before: str) -> Node:
-    r"""Read a\bmod n behind a; in a congruence, a\equiv b+c\bmod n, a sum needs no brackets."""
+    r"""Read a\bmod n after a; in a congruence, a\equiv b+c\bmod n, a sum needs no brackets."""
     if parser.text not in _BESIDE:
         return number
     is_sum = isinstance(number, Add) and before != r"\equiv"
@@ -41,7 +41,7 @@ def read_remainder(parser: Parser, number: Node, before: str) -> Node:
 
 
 def read_congruence(parser: Parser, members: list[Node], relations: list[str]) -> list[Node]:
-    """Return members with the remainders that a congruence behind them says are equal."""
+    """Return the remainders that a congruence equates, or the members unchanged if it is none."""
     last = members[-1]
     if is_next(parser) and {*relations} <= {"=", r"\equiv"}:
         by = _read_behind(parser)

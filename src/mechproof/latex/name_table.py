@@ -1,4 +1,4 @@
-"""The table of names: what the symbols of a paper look like in print, longest first."""
+"""The table of names: how the symbols of a paper are printed, longest first."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Match:
-    """A name found: the place behind it, and the places of its indices."""
+    """A name that was found: the place after it, and the places of its indices."""
 
     name: Name
     end: int
@@ -37,7 +37,7 @@ class Match:
 
 
 def strip_braces(latex: str) -> str:
-    """Return a name without what TeX needs to set it: prints of one letter have one."""
+    """Return a name without blanks, braces and backslashes, alike for all prints of a letter."""
     return _BRACES.sub("", latex)
 
 
@@ -52,37 +52,37 @@ class Names:
             self._by_first.setdefault(name.signs[0], []).append(name)
 
     def match(self, tokens: Sequence[Token], place: int) -> Match | None:
-        """Return the longest name that stands at a place; of equal ones that without index."""
+        """Return the longest name at a place; of equally long ones the one without an index."""
         candidates = self._by_first.get(tokens[place].text, ()) if place < len(tokens) else ()
         found = filter(None, (_fit(name, tokens, place) for name in candidates))
         return max(found, key=_rank, default=None)
 
     def find(self, *signs: str) -> Name | None:
-        """Return the name that is exactly these signs."""
+        """Return the name that consists of exactly these signs."""
         return next((n for n in self._by_first.get(signs[0], ()) if n.signs == signs), None)
 
     def find_alike(self, symbol: sp.Basic) -> str:
-        """Return the print of a name that is a symbol's but for braces, or nothing."""
+        """Return the print of a name that differs from a symbol only in braces, or ""."""
         return self._plain.get(strip_braces(str(symbol)), "")
 
     def find_argument(self, symbol: sp.Basic) -> Name | None:
-        r"""Return the letter of which a symbol is declared as a function: \theta of R(\theta)."""
+        r"""Return the name of a symbol's declared argument: \theta for R(\theta)."""
         inside = (signs[1:-1] for signs in self.list_arguments(symbol))
         return next(filter(None, (self.find(*signs) for signs in inside if signs)), None)
 
     def list_arguments(self, symbol: sp.Basic) -> list[tuple[str, ...]]:
-        r"""List the brackets with which a symbol is declared: (\theta) of R(\theta)."""
+        r"""Return the brackets with which a symbol is declared: (\theta) for R(\theta)."""
         named = (n.signs for names in self._by_first.values() for n in names if n.symbol == symbol)
         return [s[s.index("(") :] for s in named if "(" in s and s[-1] == ")"]
 
     def longer(self, name: Name, sign: str) -> Name | None:
-        """Return a name that goes on with a sign where this one ends."""
+        """Return a name that continues this one with the given sign."""
         start = (*name.signs, sign)
         names = self._by_first[name.signs[0]]
         return next((n for n in names if n.signs[: len(start)] == start), None)
 
     def beginning(self, sign: str) -> list[str]:
-        """Return how the names that begin with a sign are printed: of each symbol the first."""
+        """Return the prints of names that begin with a sign, the first one for each symbol."""
         names = reversed(self._by_first.get(sign, ()))
         return sorted({name.symbol: name.latex for name in names}.values())
 
@@ -106,13 +106,13 @@ def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
 
 
 def _rank(match: Match) -> tuple[int, bool, int]:
-    """Return the rank of a match: by length, then without index before family, then by signs."""
+    """Return the rank of a match: by length, then names without index first, then by signs."""
     signs = match.name.signs
     return match.end, INDEX not in signs, len(signs)
 
 
 def find_brace(tokens: Sequence[Token], place: int) -> int:
-    """Return the place of the brace that closes the one a place stands in."""
+    """Return the place of the brace that closes the group around a place."""
     depth = 0
     while place < len(tokens) and (depth or tokens[place].text != "}"):
         depth += {"{": 1, "}": -1}.get(tokens[place].text, 0)
@@ -121,7 +121,7 @@ def find_brace(tokens: Sequence[Token], place: int) -> int:
 
 
 def _is_index(tokens: Sequence[Token]) -> bool:
-    """Return whether all signs are small letters, digits, or join them to a sum."""
+    """Return whether all signs are small letters, digits, plus or minus."""
     texts = [token.text for token in tokens]
     return bool(texts) and all(
         t.isdigit() or t in "+-" or (len(t) == 1 and t.islower()) for t in texts
@@ -131,7 +131,7 @@ def _is_index(tokens: Sequence[Token]) -> bool:
 def build_names(variables: Sequence[Variable], notation: Notation, row: str = "") -> Names:
     """Return the names of a row: those of its scopes, then those of the symbols.
 
-    Raises `ValueError` for one print of two symbols, `ReadingError` for a name that is none.
+    Raises `ValueError` if two symbols share a print, or if a name cannot be read.
     """
     scoped = {
         to_signs(latex): (latex, symbol)
@@ -155,7 +155,7 @@ def build_names(variables: Sequence[Variable], notation: Notation, row: str = ""
 
 @lru_cache(4096)
 def to_signs(latex: str, is_family: bool = False) -> tuple[str, ...]:
-    """Return the signs of a name; a family without a place for its indices gets one."""
+    """Return the signs of a name; a family's name without a place for its indices gets one."""
     try:
         signs = tuple(list_signs(latex))
     except ReadingError as error:

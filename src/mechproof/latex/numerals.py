@@ -1,4 +1,4 @@
-"""Numbers as digits: what stands close together, with a decimal point."""
+"""Numbers: digits without gaps, with a decimal point."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LONGEST_NUMBER = 300
-# Vectors whose commas are no decimal ones: unit vectors, and those with two zeros.
+# Vectors whose commas separate entries: unit vectors, and those that end with two zeros.
 _ALONG_AXIS = re.compile(
     r"[(\[](?:0,0,(?=\D)|[01],[01],[01](?=[)\]])|[^()\[\],]*[^()\[\],\d],0,0(?=[)\]]))"
 )
 _THOUSANDS = re.compile(r"\d{1,3}(?:\\,\d{3})+(?!\d)")
 _POWER_OF_TEN = re.compile(r"\s*[eE]\+?(?P<exponent>[-\u2212]?[0-9]+)")
-# In these commands an e behind digits is a power of ten, not a letter.
+# In these commands an e after digits marks a power of ten, not a letter.
 _QUANTITY = re.compile(r"\\(?:num|SI|qty)\s*\{\s*[-+]?\s*\Z")
 
 
 def read_number(parser: Parser, *, in_list: bool = False) -> Number:
-    """Read digits that stand close together, and a decimal point.
+    """Read adjacent digits with an optional decimal point.
 
     In a list a gap or a comma ends a number.
     """
@@ -66,27 +66,27 @@ def read_number(parser: Parser, *, in_list: bool = False) -> Number:
 
 
 def _is_point(parser: Parser) -> bool:
-    """Return whether a decimal point stands here, and no stop behind a row of cases."""
+    """Return whether a decimal point is next, rather than the full stop after a row of cases."""
     return parser.text == "." and not parser.peek(1).startswith((r"\end{", r"\\"))
 
 
 def _is_grouped(parser: Parser, start: int) -> bool:
-    r"""Return whether the gap here parts thousands: 60\,000."""
+    r"""Return whether the gap here separates thousands: 60\,000."""
     grouped = _THOUSANDS.match(parser.source.latex, start)
     return grouped is not None and parser.start < grouped.end()
 
 
 def is_number_fraction(parser: Parser) -> bool:
-    """Return whether the fraction that stands here is one of numbers."""
+    """Return whether the fraction here consists of numbers only."""
     texts = [token.text for token in parser.tokens[parser.place + 1 :]]
     inside = texts[: texts.index("}", texts.index("}") + 1)]
     return all(is_digit(text) or text in "{}." for text in inside)
 
 
 def may_follow(parser: Parser, left: Node) -> bool:
-    """Return whether a number behind a factor is one, too: behind a bracket, or n2^{n-1}.
+    """Return whether a number after a factor is a factor, too: after a bracket, or in n2^{n-1}.
 
-    The letter counts, and a number with a power is no index of it.
+    There, the letter counts, and a number with a power is not an index of it.
     """
     if not isinstance(left, Letter):
         return isinstance(left, Bracket)

@@ -1,4 +1,4 @@
-r"""Commands of packages that abbreviate what plain LaTeX prints: \dv{x}{t} is \frac{dx}{dt}.
+r"""Commands of packages that abbreviate plain LaTeX: \dv{x}{t} is \frac{dx}{dt}.
 
 The packages are physics, derivative, diffcoeff, esdiff, commath, mathtools, nicefrac and xfrac.
 """
@@ -20,20 +20,20 @@ from mechproof.latex.latex_signs import (
     split_signs,
 )
 
-# The closing sign of an argument, by its opening one.
+# The opening sign of an argument -> its closing one.
 _CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
 # Stands for an argument that may be a single sign without braces.
 _ANY = "."
-# Marks before the number of an argument in a body: as it stands; in brackets, if given; with commas
-# between its lines.
+# Marks in front of an argument's number in a body: insert it unchanged; in brackets, if given; with
+# commas between its lines.
 _PLAIN, _IN_BRACKETS, _IN_LINE = "#", "@", "?"
 _NUMBERED = re.compile(f"[{_PLAIN}{_IN_BRACKETS}{_IN_LINE}](\\d)")
-# How the arguments of a call begin, and what it then stands for; the first that fits is taken.
+# How the arguments of a call begin, and what it then stands for; the first that fits is used.
 _Forms = tuple[tuple[str, str], ...]
 
 
 def _derive(sign: str) -> _Forms:
-    """Return the forms of a derivative of physics, where what is derived may stand behind it."""
+    """Return the forms of a derivative of physics, whose operand may follow the command."""
     return (
         ("[{{", rf"\frac{{{sign}^{{#1}}@2}}{{{sign}#3^{{#1}}}}"),
         ("[.", rf"\frac{{{sign}^{{#1}}}}{{{sign}#2^{{#1}}}}"),
@@ -43,7 +43,7 @@ def _derive(sign: str) -> _Forms:
 
 
 def _name(*names: str) -> Iterator[str]:
-    """Yield commands with and without the star by which they print another shape of a fraction."""
+    """Yield commands with and without the star, which only changes the shape of the fraction."""
     yield from (rf"\{name}{star}" for name in names for star in ("", "*"))
 
 
@@ -52,7 +52,7 @@ def _enclose(opening: str, closing: str) -> _Forms:
 
 
 def _set_out(kind: str) -> _Forms:
-    """Return the form of a matrix whose entries stand in braces."""
+    """Return the form of a matrix whose entries are in braces."""
     return (("{", rf"\begin{{{kind}}}#1\end{{{kind}}}"),)
 
 
@@ -69,7 +69,7 @@ _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys((r"\dif", r"\dl"), (("", "d"),)),
     **dict.fromkeys((r"\abs", r"\abs*", r"\vqty"), _BARS),
     **dict.fromkeys((r"\norm", r"\norm*"), _NORM),
-    # With two arguments it is the command of siunitx for a number and its unit, and stays.
+    # With two arguments it is siunitx's command for a number and its unit, and is kept.
     r"\qty": (
         *(("{{", ""), ("{", r"\left\{#1\right\}")),
         *(("(", r"\left(#1\right)"), ("[", r"\left[#1\right]"), ("|", r"\left|#1\right|")),
@@ -97,8 +97,8 @@ _COMMANDS: Mapping[str, _Forms] = {
     r"\substack": ((_ANY, f"{_IN_LINE}1"),),
     **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},
 }
-# Commands of the packages derivative, diffcoeff, esdiff and commath, with the sign they print: what
-# is differentiated is their first argument, the variables are the second.
+# Commands of the packages derivative, diffcoeff, esdiff and commath, with the sign they print:
+# their first argument is differentiated, the second gives the variables.
 _DERIVATIVES = {
     **dict.fromkeys(_name("odv", "od", "dod", "tod", "diff"), "d"),
     **dict.fromkeys(_name("pdv", "pd", "dpd", "tpd", "diffp"), r"\partial"),
@@ -106,7 +106,7 @@ _DERIVATIVES = {
 
 
 def expand_commands(signs: Sequence[Token]) -> list[Token]:
-    """Put what commands of packages stand for in their place; a call in no known form is left."""
+    """Return the signs with commands of packages expanded; calls of unknown form are kept."""
     expanded: list[Token] = []
     place = 0
     while place < len(signs):
@@ -124,7 +124,7 @@ def expand_commands(signs: Sequence[Token]) -> list[Token]:
 
 
 def write_out(latex: str) -> str:
-    """Return a print with what such commands print in their place, for who does not know them."""
+    """Return a print with commands of packages written out, for readers that do not know them."""
     signs = split_signs(latex)
     for place, sign in enumerate(signs):
         body, arguments, end = next(_find_calls(signs, place), ("", [], 0))
@@ -140,7 +140,7 @@ def write_out(latex: str) -> str:
 def _find_calls(
     signs: Sequence[Token], place: int
 ) -> Iterator[tuple[str, list[Sequence[Token]], int]]:
-    """Yield the bodies that a call may stand for, its arguments, and where it ends."""
+    """Yield each body that a call may stand for, its arguments, and where the call ends."""
     yield from _find_derivatives(signs, place)
     for form, body in _COMMANDS.get(signs[place].text, ()):
         arguments: list[Sequence[Token]] = []
@@ -183,14 +183,14 @@ def _raise(order: str) -> str:
 
 
 def _part(signs: Sequence[Token]) -> list[Sequence[Token]]:
-    """Return what stands between the commas of an argument."""
+    """Return the parts of an argument between its commas."""
     depths = measure_depths(sign.text for sign in signs)
     commas = [n for n, depth in enumerate(depths) if not depth and signs[n].text == ","]
     return [signs[a + 1 : b] for a, b in pairwise([-1, *commas, len(signs)])]
 
 
 def _read_argument(signs: Sequence[Token], place: int, opening: str) -> tuple[Sequence[Token], int]:
-    """Return an argument and where it ends, 0 if there is none that begins so."""
+    """Return an argument and where it ends; ((), 0) if none begins with `opening`."""
     first = signs[place].text if place < len(signs) else ""
     if opening == _ANY and first != "{":
         is_sign = first.isalnum() or (first.startswith("\\") and first != r"\\")
@@ -208,7 +208,7 @@ def _read_argument(signs: Sequence[Token], place: int, opening: str) -> tuple[Se
 
 @cache
 def _split(body: str) -> tuple[Token, ...]:
-    """Split a body; its signs have no places of their own."""
+    """Return the signs of a body, marked as having no place in the source."""
     return tuple(replace(sign, start=-1, end=-1) for sign in split_signs(body))
 
 

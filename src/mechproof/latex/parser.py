@@ -1,7 +1,7 @@
 r"""Signs -> tree, by precedence; what could be read in two ways is refused with its remedies.
 
-Sums contain products, products powers, powers atoms. A function without brackets takes a number
-times one name, a fraction or a root: `\cos 2\varphi`, `\cos\frac x2`.
+Sums contain products, products powers, powers atoms. A function without brackets applies to a
+number times one name, a fraction or a root: `\cos 2\varphi`, `\cos\frac x2`.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ LONGEST_NAME = 40
 
 
 def _spell(notation: Notation) -> Mapping[tuple[str, ...], tree.PrintedFunction]:
-    r"""Return the declared functions that are printed as several signs: `cos^{-1}`, `Inv`."""
+    """Return the declared functions that are printed as several signs: `cos^{-1}`, `Inv`."""
     spelled = {}
     for name, make in notation.functions.items():
         for latex in (name, rf"\{name}"):
@@ -62,9 +62,9 @@ def _spell(notation: Notation) -> Mapping[tuple[str, ...], tree.PrintedFunction]
 class Parser:
     """Reads one print with the names of its row.
 
-    `collected` gathers letters that are not declared, where that is allowed. `upper` is 1 where
-    of ± and ∓ the upper signs are read, -1 where the lower ones, 0 where a declared letter says
-    which; without one none may stand then.
+    `collected` gathers undeclared letters, if those are allowed. `upper` is 1 to read the upper
+    signs of ± and ∓, -1 to read the lower ones, 0 to let a declared letter decide; without such a
+    letter, 0 allows no double signs.
     """
 
     def __init__(
@@ -102,47 +102,47 @@ class Parser:
         self._refuse_alike()
 
     def begin(self, tokens: Sequence[Token], last: int) -> None:
-        """Begin to read these signs, which end at a place of the source."""
+        """Begin to read these signs, which end at `last` in the source."""
         self.tokens: Sequence[Token] = fold_slashed(side_conditions.keep_gaps(tokens), self.names)
         self.last = last
         self.place = self.depth = 0
         # Open upright bars, single and double, at this depth.
         self.bars = Counter[str]()
-        # Remembers, by the place of a bracket, whether it multiplies the letter before it.
+        # The place of a bracket -> whether it multiplies the letter before it.
         self.multiplied: dict[int, bool] = {}
 
     # Walking --------------------------------------------------------------------------------
 
     @property
     def text(self) -> str:
-        """Return the sign that is next, empty at the end."""
+        """Return the next sign, "" at the end."""
         return self.peek(0)
 
     def peek(self, count: int = 1) -> str:
-        """Return the sign that is so many behind the next one, empty beyond the end."""
+        """Return the sign `count` places after the next one, "" beyond the end."""
         place = self.place + count
         return self.tokens[place].text if place < len(self.tokens) else ""
 
     @property
     def start(self) -> int:
-        """Return where the next sign stands in the source."""
+        """Return the place of the next sign in the source."""
         at_end = self.place >= len(self.tokens)
         return self.last if at_end else self.tokens[self.place].start
 
     @property
     def end(self) -> int:
-        """Return where the last sign that was read ends."""
+        """Return the end of the last sign read, in the source."""
         return self.tokens[self.place - 1].end if self.place else 0
 
     def take(self, text: str = "") -> Token:
-        """Return the next sign and go on; it must be the one that is named."""
+        """Return the next sign and move past it; if `text` is given, it must be that sign."""
         if self.place >= len(self.tokens) or (text and self.text != text):
             raise self.refuse(f"expected {text}" if text else "the print ends too early")
         self.place += 1
         return self.tokens[self.place - 1]
 
     def skip(self, *texts: str) -> bool:
-        """Go on behind the next sign if it is one of these."""
+        """Move past the next sign if it is one of these; return whether it was."""
         if self.text in texts and self.text:
             self.place += 1
             return True
@@ -150,7 +150,7 @@ class Parser:
 
     @property
     def rest(self) -> Sequence[Token]:
-        """Return the signs that follow."""
+        """Return the remaining signs."""
         return self.tokens[self.place :]
 
     def rest_of_member(self) -> list[str]:
@@ -166,13 +166,13 @@ class Parser:
         return found
 
     def find_spelled(self) -> tuple[tree.PrintedFunction, int] | None:
-        """Return the longest function that is declared as several signs, and how many they are."""
+        """Return the longest declared function of several signs here, and its number of signs."""
         texts = tuple(token.text for token in self.tokens[self.place : self.place + LONGEST_NAME])
         found = [(f, len(s)) for s, f in self._spelled.items() if texts[: len(s)] == s]
         return max(found, key=itemgetter(1), default=None)
 
     def open_group(self) -> bool:
-        """Return whether the next signs stood in braces of their own, and put these there."""
+        """Return whether a group in braces comes next, restoring braces that were dropped."""
         ends = [end for start, end in self.groups if start == self.start]
         if not ends or self.text in ("{", ""):
             return self.text == "{"
@@ -195,7 +195,7 @@ class Parser:
             )
 
     def refuse(self, reason: str, remedy: str = "", place: int | None = None) -> ReadingError:
-        """Return the error that points at the next sign, or at a place of the source."""
+        """Return the error at a place of the source, by default at the next sign."""
         return self.source.refuse(self.start if place is None else place, reason, remedy)
 
     # Expressions ----------------------------------------------------------------------------
@@ -212,13 +212,13 @@ class Parser:
         return modulo.read_remainder(self, self.add_up(terms, start), before)
 
     def add_up(self, terms: Sequence[tuple[int, tree.Node]], start: int) -> tree.Node:
-        """Return the sum of terms with their signs, one alone as it is."""
+        """Return the sum of terms with their signs, or the term itself if it is the only one."""
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return tree.Add(tuple(terms), start=start, end=self.end)
 
     def read_term(self) -> tuple[int, tree.Node]:
-        """Read a product and its sign; of a double sign the letter that says which is a factor."""
+        """Read a product and its sign; a double sign multiplies it by the letter selecting it."""
         start, is_double = self.start, self.text in (r"\pm", r"\mp")
         sign, term = self.read_sign(), self.read_product()
         if self.branch is None or not is_double:
@@ -227,7 +227,7 @@ class Parser:
         return sign, tree.Product((which, term), start=start, end=self.end)
 
     def read_sign(self) -> int:
-        """Read the sign before a term; that before the first may be left out."""
+        """Read the sign in front of a term, 1 if there is none."""
         return self.signs[self.take().text] if self.text in self.signs else 1
 
     def read_product(self) -> tree.Node:
@@ -250,7 +250,7 @@ class Parser:
         return tree.Product(tuple(factors), tuple(signs), start=start, end=self.end)
 
     def _read_dot(self, left: tree.Node) -> str:
-        """Read the sign between two factors, none where they stand side by side."""
+        """Read the sign between two factors, "" if there is none."""
         if self.text in DOTS:
             return self.take().text
         self.check_neighbours(left)
@@ -280,7 +280,7 @@ class Parser:
         return tree.Quotient(above, below, start=start, end=self.end)
 
     def check_neighbours(self, left: tree.Node) -> None:
-        """Refuse factors side by side that could be something else."""
+        """Refuse adjacent factors that could mean something else."""
         if is_digit(self.text) and not may_follow(self, left):
             raise self.refuse(
                 "a number follows without a sign between: a factor, an index or a decimal place?",
@@ -314,7 +314,7 @@ class Parser:
         return self._raise(atom, start)
 
     def read_atom(self) -> tree.Node:
-        """Read what stands between two operators."""
+        """Read the operand at the current place, up to the next operator."""
         return atoms.read_atom(self)
 
     def _raise(self, base: tree.Node, start: int) -> tree.Node:
@@ -334,7 +334,7 @@ class Parser:
         return self.read_inside("{", self.read_sum, "}")
 
     def read_inside(self, opening: str, read: Callable[[], T], closing: str) -> T:
-        """Read what stands between two signs, a level deeper."""
+        """Read the text between two signs with `read`, a level deeper."""
         self.take(opening)
         self.depth += 1
         bars, self.bars = self.bars, Counter()

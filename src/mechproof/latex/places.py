@@ -1,6 +1,6 @@
-r"""Values at a place: `y|_{x=0}`, `\left.y\right|_{x=0}`, and `y(0)` of a letter that depends.
+r"""Values at a place: `y|_{x=0}`, `\left.y\right|_{x=0}`, and `y(0)` of a letter that depends on x.
 
-Values between two places are read, too: `[y]_0^1`, `\left.y\right|_{x=0}^{x=1}`.
+Differences between two places are read, too: `[y]_0^1`, `\left.y\right|_{x=0}^{x=1}`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def read_enclosed(parser: Parser) -> Node:
 
 
 def is_bar(parser: Parser) -> bool:
-    """Return whether a bar with a place stands here, and none that closes another one."""
+    """Return whether a bar with a place comes next, and does not close another bar."""
     before = [token.text for token in parser.tokens[: parser.place]]
     is_closing = before.count(LEFT) + before.count(r"\lvert") > before.count(r"\rvert")
     is_closing = parser.bars["|"] > 0 if parser.text == "|" else is_closing
@@ -43,7 +43,7 @@ def is_bar(parser: Parser) -> bool:
 
 
 def read_bar(parser: Parser, term: Node, place: int) -> Node:
-    """Read a bar behind a factor, which begins at a place among the signs."""
+    """Read a bar after a factor, which begins at token `place`."""
     bar = parser.take()
     if not begins_member(parser, place):
         raise parser.refuse(
@@ -60,7 +60,7 @@ def _read_place(parser: Parser, term: Node) -> Node:
 
 
 def is_between(parser: Parser) -> bool:
-    """Return whether limits stand here, a lower and an upper one."""
+    """Return whether a lower and an upper limit come next."""
     if (parser.text, parser.peek()) != ("_", "{"):
         return False
     end = find_brace(parser.tokens, parser.place + 2)
@@ -68,7 +68,7 @@ def is_between(parser: Parser) -> bool:
 
 
 def read_between(parser: Parser, term: Node) -> Node:
-    """Read limits behind a term: its value at the upper one without that at the lower one."""
+    """Read limits after a term: its value at the upper limit minus that at the lower one."""
     start, by = parser.start, None
     ends: list[tuple[Letter | None, Node]] = []
     for sign in ("_", "^"):
@@ -97,7 +97,7 @@ def _read_end(parser: Parser) -> tuple[Letter | None, Node]:
 
 
 def _find_moving(parser: Parser, term: Node) -> Letter | None:
-    r"""Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx.
+    """Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx.
 
     A letter alone may be a function of another one.
     """
@@ -134,10 +134,11 @@ def _read_values(parser: Parser, term: Node) -> Node:
 
 
 def is_value(parser: Parser, letter: Letter) -> bool:
-    r"""Return whether an argument stands behind a letter that depends on another one.
+    r"""Return whether a letter that depends on another one is followed by an argument.
 
-    It is a number, x(0), x(t=0), another letter, s(\beta), or a number times or by that, s(2\beta),
-    s(\frac{\beta}{2}), or beside x(t) a sum with t, x(t+T). Another sum may be a factor.
+    That is a number, x(0), x(t=0), another letter, s(\beta), one of these times or divided by a
+    number, s(2\beta), s(\frac{\beta}{2}), or, if x(t) is printed too, a sum that begins with t,
+    x(t+T). Any other sum may be a factor.
     """
     running = find_running(parser, letter)
     if parser.text != "(" or letter.text in parser.factors or running is None:
@@ -154,7 +155,7 @@ def is_value(parser: Parser, letter: Letter) -> bool:
 
 
 def _is_shifted(parser: Parser, letter: Letter, running: Letter) -> bool:
-    """Return whether a bracket begins with what a letter depends on, and x(t) stands there, too."""
+    """Return whether a bracket begins with the running letter t and a sign, and x(t) is printed."""
     printed = "".join(token.text for token in parser.tokens)
     is_first = [token.text for token in parser.rest[:3]] in (
         ["(", running.text, sign] for sign in "+-"
@@ -163,7 +164,7 @@ def _is_shifted(parser: Parser, letter: Letter, running: Letter) -> bool:
 
 
 def _find_sign(parser: Parser, letter: Letter, running: Letter) -> int:
-    """Return the place of the sign in x(t=0), where no gap makes it a condition; else nothing."""
+    """Return the place of the sign in x(t=0), 0 if there is none or a gap makes it a condition."""
     between = parser.source.latex[letter.end : parser.start].strip()
     match = parser.names.match(parser.tokens, parser.place + 1)
     if between or match is None or match.name.symbol != running.symbol:
@@ -172,7 +173,7 @@ def _find_sign(parser: Parser, letter: Letter, running: Letter) -> int:
 
 
 def _is_letter_inside(parser: Parser, letter: Letter) -> bool:
-    """Return whether a bracket holds one other declared letter, or a number times or by it."""
+    """Return whether a bracket contains one other declared letter, possibly with numbers."""
     place, met = parser.place + 1, 0
     while place < len(parser.tokens) and (text := parser.tokens[place].text) != ")":
         match = parser.names.match(parser.tokens, place)
@@ -185,7 +186,7 @@ def _is_letter_inside(parser: Parser, letter: Letter) -> bool:
 
 
 def find_running(parser: Parser, letter: Letter) -> Letter | None:
-    """Return the letter that a letter depends on, or of which a matrix is declared a function."""
+    """Return the letter that a letter depends on, or that a matrix is declared a function of."""
     if isinstance(letter.symbol, sp.MatrixSymbol):
         name = parser.names.find_argument(letter.symbol)
         found = (name.symbol, name.latex) if name else None

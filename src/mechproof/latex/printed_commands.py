@@ -1,19 +1,19 @@
-"""Commands and environments by what becomes of their arguments."""
+"""Commands and environments, grouped by what becomes of their arguments."""
 
 # Numbers with units, and units, of siunitx.
 QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 # Commands that mark their argument without changing what it says.
 MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
-# Commands that set a brace over or under their argument, with the script that labels it.
+# Commands that put a brace over or under their argument -> the script that labels it.
 BRACES = {r"\underbrace": "_", r"\overbrace": "^", r"\underbracket": "_", r"\overbracket": "^"}
-# Commands that set something above or below a sign; with a question mark they are not read.
+# Commands that put something above or below a sign; with a question mark they are not read.
 STACKS = (r"\overset", r"\underset", r"\stackrel")
 QUESTION = "?"
-# Commands that leave blank space as large as their argument.
+# Commands that leave a blank space of the size of their argument.
 UNSEEN = (r"\phantom", r"\hphantom", r"\vphantom")
 COLOURS = (r"\color", r"\textcolor")
-# Matrices and cases of packages, by what they are read as; those with a star may have an option
-# that aligns their columns.
+# Matrices and cases of packages -> the environment as which they are read; those with a star may
+# have an option that aligns their columns.
 ENVIRONMENTS = {
     f"{kind}{name}": f"{kind}matrix"
     for kind in ("", "p", "b", "B", "v")

@@ -58,7 +58,7 @@ def is_derivative(parser: Parser) -> bool:
 
 
 def read_derivative(parser: Parser) -> tree.Node:
-    r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, of higher order too."""
+    r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, also of higher order."""
     start = parser.start
     parser.take()
     is_partial = parser.tokens[parser.place + 1].text == PARTIAL
@@ -69,7 +69,8 @@ def read_derivative(parser: Parser) -> tree.Node:
         raise parser.refuse("a derivative of two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
-        # Of a letter, the power is raised first; of a bracket, its derivative may be meant.
+        # For a letter, the power comes first; for a bracket, the power of its derivative may be
+        # meant.
         is_raised = isinstance(operand, tree.Power) and isinstance(operand.base, tree.Bracket)
         if not parser.ends_product():
             parser.check_neighbours(operand)
@@ -84,7 +85,7 @@ def read_derivative(parser: Parser) -> tree.Node:
 
 
 def read_suffix(parser: Parser, atom: tree.Node) -> tree.Node | None:
-    """Read n!, or (…)' where it is known by which letter primes are; None for neither."""
+    """Read n!, or (…)' if the variable of primes is known; None for anything else."""
     if parser.text == "!":
         return _read_factorial(parser, atom)
     by, order = parser.notation.primed, 0
@@ -108,7 +109,7 @@ def _read_above(parser: Parser) -> tuple[int | tree.Node, tree.Node | None]:
 
 
 def _read_below(parser: Parser) -> list[tuple[tree.Letter, int | tree.Node]]:
-    """Read the letters by which it is with the order by each, of partial ones several."""
+    """Read the variables of a derivative, several of a partial one, with the order in each."""
     steps: list[tuple[tree.Letter, int | tree.Node]] = []
     while not steps or parser.text == PARTIAL:
         start = parser.take().start
@@ -123,7 +124,7 @@ def _read_below(parser: Parser) -> list[tuple[tree.Letter, int | tree.Node]]:
 
 
 def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
-    """Read a number, or what counts: n, n+1."""
+    """Read the order of a derivative: a number, or an expression that counts, n, n+1."""
     if isinstance(node, tree.Letter | tree.Add | tree.Product):
         return node
     if not isinstance(node, tree.Number) or node.text not in ("1", "2", "3", "4"):
@@ -133,7 +134,7 @@ def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
 
 
 def fold_slashed(tokens: Sequence[Token], names: Names) -> tuple[Token, ...]:
-    r"""Return signs with d…/dx as \frac{d…}{dx}; where d is declared or integrates they stay.
+    r"""Return signs with d…/dx as \frac{d…}{dx}, unless d is declared or belongs to an integral.
 
     The limit that defines a derivative, \lim_{\Delta t\to0}\frac{\Delta x}{\Delta t}, is folded,
     too.
@@ -156,7 +157,7 @@ def fold_slashed(tokens: Sequence[Token], names: Names) -> tuple[Token, ...]:
 
 
 def _find_derivative(tokens: Sequence[Token], place: int, names: Names) -> tuple[int, int]:
-    """Return the slash and the end of the derivative that begins at a place, twice this without."""
+    """Return the slash and the end of the derivative at a place, or the place twice if none."""
     d, none = tokens[place].text, (place, place)
     if d not in ("d", PARTIAL) or names.match(tokens, place):
         return none
@@ -176,7 +177,10 @@ def _find_derivative(tokens: Sequence[Token], place: int, names: Names) -> tuple
 def _find_quotient(
     tokens: Sequence[Token], place: int, names: Names
 ) -> tuple[list[Token], list[Token], int] | None:
-    """Return what stands in the place of a limit of increments, with d for them, and its end."""
+    r"""Return numerator and denominator, with d for \Delta, and end of a limit of increments.
+
+    Returns None if no such limit begins at the place.
+    """
     if tokens[place].text != r"\lim":
         return None
     texts = [token.text for token in tokens[place:]]
@@ -199,14 +203,14 @@ def _begins_step(tokens: Sequence[Token], place: int, d: str) -> bool:
 
 
 def _skip_power(tokens: Sequence[Token], place: int) -> int:
-    """Return the place behind a power, this one without one."""
+    """Return the place after a power, or the given place if there is none."""
     if [token.text for token in tokens[place : place + 2]] != ["^", "{"]:
         return place
     return find_brace(tokens, place + 2) + 1
 
 
 def _skip_operand(tokens: Sequence[Token], place: int, names: Names) -> int:
-    """Return the place behind a letter or what stands in brackets, this one without them."""
+    """Return the place after a letter or bracketed expression, or the given place if none."""
     text = tokens[place].text if place < len(tokens) else ""
     if text in ("(", "["):
         return place + find_close([token.text for token in tokens[place:]]) + 1
@@ -219,7 +223,7 @@ def _skip_letter(tokens: Sequence[Token], place: int, names: Names) -> int:
 
 
 def _brace(inside: Sequence[Token], *before: str) -> list[Token]:
-    """Return signs in braces that take no place, with these signs before them."""
+    """Return signs in braces of zero width, after the signs `before`."""
     start, end = inside[0].start, inside[-1].end
     opening = [Token(text, start, start) for text in (*before, "{")]
     return [*opening, *inside, Token("}", end, end)]
@@ -229,7 +233,7 @@ def _brace(inside: Sequence[Token], *before: str) -> list[Token]:
 
 
 def read_limit(parser: Parser) -> tree.Node:
-    r"""Read \lim_{x\to a}, from one side where a^+, a+0, a- and the like say so."""
+    r"""Read \lim_{x\to a}, from one side if a^+, a+0, a- and the like say so."""
     start = parser.take().start
     if parser.text != "_":
         raise parser.refuse("a limit of what?", r"Print \lim_{x\to a}.")
@@ -245,13 +249,13 @@ def _read_way(parser: Parser) -> tuple[tree.Letter, tree.Node, str]:
         raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
     parser.take(r"\to")
     start, side = parser.start, _take_side(parser)
-    # The rest of +0 and -0 once the sign is taken.
+    # After +0 and -0 lose their sign, nothing or a zero remains.
     point = tree.Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
     return by, point, side
 
 
 def _take_side(parser: Parser) -> str:
-    """Return the side that a script says at its end, and leave the sign of it out."""
+    """Return the side that a script ends with, taking its signs out; "+-" if there is none."""
     texts = [token.text for token in parser.tokens]
     close = parser.place + find_close(["{", *texts[parser.place :]]) - 1
     for sign in ("+", "-"):
@@ -284,7 +288,7 @@ def _read_factorial(parser: Parser, atom: tree.Node) -> tree.Node:
 
 
 def read_binomial(parser: Parser) -> tree.Node:
-    r"""Read \binom{n}{k}, a polynomial of n for a number k, else a quotient of factorials."""
+    r"""Read \binom{n}{k}, a polynomial in n for a number k, else a quotient of factorials."""
     start = parser.start
     parser.take()
     numbers = (parser.read_group(), parser.read_group())
@@ -309,7 +313,7 @@ def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
 
 
 def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
-    """Return 2*4*...*argument or 1*3*...*argument; `MeaningError` where it is not clear which."""
+    """Return 2*4*...*argument or 1*3*...*argument; raises `MeaningError` if it is unclear which."""
     for half in (argument / 2, (argument + 1) / 2):
         if half.is_integer:
             product = 2**half * _make_factorial(half)
@@ -318,7 +322,7 @@ def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
 
 
 def _make_factorial(argument: sp.Expr) -> sp.Expr:
-    """Return a factorial; `MeaningError` for what is no count, or too large to be worked out."""
+    """Return a factorial; raises `MeaningError` unless the argument counts and is not too large."""
     if argument.is_number and not 0 <= argument <= LARGEST_FACTORIAL:
         below = f"is read of whole numbers from 0 to {LARGEST_FACTORIAL}"
         raise MeaningError(f"a factorial {below}, and this is that of {argument}")

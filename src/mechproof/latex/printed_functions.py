@@ -1,4 +1,4 @@
-"""The functions that papers print, East and West, and the constants."""
+"""The functions that papers of East and West print, and the constants."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Make = Callable[..., sp.Expr]
 
 
 def _inv(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
-    """Return the involute of an angle, the inverse of a matrix."""
+    """Return the involute of an angle, or the inverse of a matrix."""
     return invert(argument) if is_matrix(argument) else sp.tan(argument) - argument
 
 
@@ -56,6 +56,6 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
 OF_MATRICES = ("det", "tr", "Tr", "inv")
-# Functions that mean different things in different places, and what is unclear.
+# Functions whose meaning varies from paper to paper, and what is unclear about them.
 AMBIGUOUS = {"log": "its base (10, e, 2)", "arcctg": "its range", "arccot": "its range"}
 CONSTANTS: Mapping[str, sp.Expr] = {r"\pi": sp.pi, r"\infty": sp.oo, r"\mathrm{e}": sp.E}

@@ -1,4 +1,4 @@
-r"""Relations and what says that they are conditions: signs of order, intervals, `\text{ if }`."""
+r"""Relations and the marks of conditions: signs of order, intervals, `\text{ if }`."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
-# Letters for sets of numbers, and the SymPy assumption that their members have.
+# Letters for sets of numbers -> the SymPy assumption that their members satisfy.
 _SETS = {"Z": "integer", "N": "positive", "R": "real"}
 _LIMITS = {"(": "<", "[": r"\le", ")": "<", "]": r"\le"}
 
 
 def read_condition(parser: Parser) -> Chain:
-    """Read relations behind a word that says they are a condition, joined by "and"."""
+    """Read relations joined by "and", after a word that marks them as a condition."""
     start = parser.take().start
     parser.skip(r"\forall")
     return read_relations(parser, start)
 
 
 def read_relations(parser: Parser, start: int, *also: str) -> Chain:
-    """Read relations joined by "and", or by one of these signs."""
+    """Read relations joined by "and", or by one of the signs `also`."""
     found = _read_shared(parser)
     while parser.skip(AND, *also):
         parser.skip(AND)
@@ -45,7 +45,7 @@ def join(conditions: Sequence[Chain]) -> tuple[tuple[Node, ...], tuple[str, ...]
 
 
 def _read_shared(parser: Parser) -> list[Chain]:
-    """Read a relation, x,y>0 as one of each letter."""
+    """Read a relation; x,y>0 is read as one relation for each letter."""
     heads = [parser.read_sum()]
     while parser.text == "," and parser.peek() not in ELSE:
         parser.take()
@@ -63,7 +63,7 @@ def _read_shared(parser: Parser) -> list[Chain]:
 
 
 def read_interval(parser: Parser) -> tuple[Chain, Chain]:
-    r"""Read \in[a,b], \in(a,b) and the like: the limits at both sides, and the signs of order."""
+    r"""Read \in[a,b], \in(a,b) and the like as two ends, each with its sign of order."""
     start, place = parser.start, parser.place
     parser.take(r"\in")
     low = _LIMITS.get(parser.text)
@@ -85,14 +85,17 @@ def read_interval(parser: Parser) -> tuple[Chain, Chain]:
 
 
 def _read_end(parser: Parser) -> Node:
-    """Read an end of an interval; the comma behind digits is none within a number here."""
+    """Read an end of an interval; a comma after digits is not a decimal comma here."""
     if is_digit(parser.text) and parser.peek() in (",", ")", "]"):
         return read_number(parser, in_list=True)
     return parser.read_sum()
 
 
 def skip_set(parser: Parser, letters: Sequence[Letter]) -> bool:
-    r"""Go on behind \in\mathbb{Z} if the letters before it are declared to lie in that set."""
+    r"""Move past \in\mathbb{Z} if the letters before it are declared as members of that set.
+
+    Returns False if no such set comes next.
+    """
     texts = [token.text for token in parser.rest[:3]]
     if texts[:2] != [r"\in", r"\mathbb"]:
         return False
@@ -104,6 +107,6 @@ def skip_set(parser: Parser, letters: Sequence[Letter]) -> bool:
 
 
 def place_between(head: Node, low: Chain, high: Chain) -> Chain:
-    """Return the relation that something lies in an interval."""
+    """Return the relation that a node lies in an interval."""
     members = (*low.members, head, *high.members)
     return Chain(members, (*low.relations, *high.relations), start=head.start, end=head.end)

@@ -38,13 +38,16 @@ class Members:
 
 
 def _turn_rows(members: Members) -> Members:
-    """Return members of which a bracket with commas stands as a column beside a column."""
+    """Return members in which comma-separated entries become a column if the other is a column."""
     nodes = members.nodes
     return Members(nodes, turn(nodes, members.printed), turn(nodes, members.derived))
 
 
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
-    """Return what a sign of a row asserts; `ValueError` where that is not declared."""
+    """Return what a relation sign of a row asserts.
+
+    Raises `ValueError` if the declarations do not determine it.
+    """
     if any(map(is_power, members.printed)):
         return _state_power(row, sign, members, reader)
     members = _turn_rows(members)
@@ -80,7 +83,7 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 
 def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
-    """State a power of a matrix to a letter of which nothing else is said."""
+    """State a power of a matrix to a letter that no other declaration or condition restricts."""
     sides = members.printed
     where = [one for one in (row.on.where if row.on else ()) if not says_from_one_on(one)]
     said = {symbol for one in where for symbol in one.free_symbols}
@@ -114,7 +117,7 @@ def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> St
 
 
 def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:
-    """State that the difference of the members is a residual, which may have the other sign."""
+    """State that the difference of the members equals a residual, up to the sign of the latter."""
     left, right = members.printed
     _refuse_unknown_entries(row, left, right)
     if isinstance(left, sp.MatrixBase) != isinstance(right, sp.MatrixBase):
@@ -126,14 +129,14 @@ def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:
 
 
 def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:
-    """Return whether our mechanics give something for a member."""
+    """Return whether the row gives a derived value for a member or for anything it depends on."""
     letters = {part.symbol for part in walk(node) if isinstance(part, Letter)}
     keys = row.derived.keys()
     return member in row.derived or any(depends(s, keys, reader.values) for s in letters)
 
 
 def _derive(row: Row, members: Members, reader: Reader) -> tuple[Any, Any]:
-    """Return what our mechanics give for both members."""
+    """Return both members with the row's derived values put in."""
     left, right = (
         row.derived[member] if member in row.derived else settle(value, reader.values, row.derived)
         for member, value in zip(members.printed, members.derived, strict=True)
@@ -146,7 +149,7 @@ def _substitute(row: Row, member: Any) -> Any:
 
 
 def _put_in(row: Row, members: Members, reader: Reader) -> tuple[Any, Any]:
-    """Return what our mechanics give for both members, with the substitutions of the row."""
+    """Return both members with the row's derived values and then its substitutions put in."""
     left, right = (_substitute(row, side) for side in _derive(row, members, reader))
     return left, right
 
@@ -165,9 +168,10 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
-    """State that the left member rounds to the number that is printed right, or has it as factor.
+    """State that the left member rounds to the number on the right, or to a multiple by it.
 
-    Beside a factor the rest of the right member is put on the other side, which is a number then.
+    If the number is a factor of the right member, the left one is divided by the other factors, and
+    the quotient must be a number.
     """
     value, right = _put_in(row, members, reader)
     stated = round_to(members.nodes[1], value)
@@ -189,7 +193,8 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
 def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber | None:
     """State that a constant rounds to the decimal on the other side of an equals sign.
 
-    A decimal that is the constant itself is stated as equal to it, as a whole number is.
+    Returns None for a decimal that is exactly the constant, and for a whole number: those are
+    stated as equal.
     """
     values = _put_in(row, members, reader)
     for node, value, number in zip(members.nodes[::-1], values, values[::-1], strict=True):
@@ -203,7 +208,7 @@ def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber |
 
 
 def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:
-    """Return the definition that a sign is: of a symbol it introduces or is declared by."""
+    """Return the definition that a sign prints: of a symbol it introduces or its declared value."""
     left, right = members.printed
     for node, other in zip(members.nodes, (right, left), strict=True):
         if isinstance(node, Letter) and not node.indices and _introduces(row, node, other, reader):
@@ -224,7 +229,7 @@ def _introduces(row: Row, letter: Letter, other: Any, reader: Reader) -> bool:
 
 
 def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool:
-    """Return whether the print, solved for a symbol, is its declared value."""
+    """Return whether the print, solved for a symbol, gives the declared value."""
     left, right = members.printed
     if isinstance(left, sp.MatrixBase) or isinstance(right, sp.MatrixBase):
         return False
@@ -236,7 +241,7 @@ def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool
 
 
 def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
-    """Refuse a member that is a symbol of which nothing is known: it can agree with nothing."""
+    """Refuse a member that is a symbol without a declared value: nothing can be compared to it."""
     for member, other in (members.printed, members.printed[::-1]):
         is_bare = isinstance(member, sp.Symbol | sp.Indexed | sp.MatrixSymbol)
         if is_bare and member not in reader.values and member not in other.free_symbols:
@@ -244,7 +249,7 @@ def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
 
 
 def _refuse_unknown_entries(row: Row, *sides: Any) -> None:
-    """Refuse a matrix of which no entry is known: nothing of it can be compared."""
+    """Refuse matrices without known entries: nothing can be compared to them."""
     for symbol in sorted({s for side in sides for s in side.atoms(sp.MatrixSymbol)}, key=str):
         raise _tell_unknown(row, symbol)
 
@@ -257,7 +262,7 @@ def _tell_unknown(row: Row, symbol: sp.Basic) -> ValueError:
 
 
 def _is_faulty(member: Any, reader: Reader) -> bool:
-    """Return whether a member cannot be evaluated, as far as its reading shows it."""
+    """Return whether a member is visibly impossible to evaluate, e.g. contains unknown symbols."""
     if member.has(IntegralWithoutDifferential, FunctionWithoutArgument):
         return True
     known = {getattr(v.symbol, "label", v.symbol) for v in reader.variables}

@@ -1,4 +1,4 @@
-"""The reader of a paper: its symbols and its notation -> expressions from prints."""
+"""The reader of a paper: prints -> expressions in its symbols and notation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from mechproof.latex.tree import Chain
 from mechproof.record import Notation, Row, Variable, list_given
 
 _OPENING, _CLOSING = re.compile(r"(?<!\\)\{"), re.compile(r"(?<!\\)\}")
-# A group that begins just before, with its command: \num{.
+# A group that begins just in front, with its command: \num{.
 _GROUP = re.compile(r"(?:\\[A-Za-z]+\s*)?(?<!\\)\{[\s+-]*\Z")
 
 
@@ -36,7 +36,7 @@ class Print:
     upper: int = 0
 
     def meaning(self, derived: Mapping[sp.Basic, sp.Basic] | None = None) -> Meaning:
-        """Return what turns its trees into expressions, with these values of symbols changed."""
+        """Return the converter of its trees into expressions, with `derived` overriding values."""
         values = {**self.reader.values, **(derived or {})}
         reader = self.reader
         return Meaning(self.source, values, reader.notation, reader.remedies)
@@ -78,10 +78,10 @@ class Reader:
         self._names = lru_cache(partial(build_names, self.variables, self.notation))
 
     def parse(self, latex: str, row: str = "", upper: int = 0) -> Print:
-        """Read a print with the names of a row; `ReadingError` says what is ambiguous in it.
+        """Read a print with the names of a row; raises `ReadingError` if it is ambiguous.
 
-        `upper` says which double signs are meant, 1 the upper, -1 the lower; with 0 a declared
-        letter says it.
+        `upper` selects the double signs: 1 the upper, -1 the lower ones; 0 lets a declared letter
+        decide.
         """
         with _naming(row):
             parser = Parser(latex, self._names(row), self.notation, self.remedies, upper=upper)
@@ -93,7 +93,7 @@ class Reader:
             return Print(parser.source, chains, self, upper)
 
     def collect(self, latex: str) -> list[str]:
-        """Return the letters of a print that are not declared; `#` stands for bound indices.
+        """Return the undeclared letters of a print; `#` stands for bound indices.
 
         Raises `ReadingError`.
         """
@@ -114,7 +114,7 @@ class Reader:
 
 @contextmanager
 def _naming(row: str) -> Iterator[None]:
-    """Tell an error which row it is about."""
+    """Give a `ReadingError` the number of the row that it is about."""
     try:
         yield
     except ReadingError as error:

@@ -1,6 +1,6 @@
-"""What a correction changes in a sentence: two of them in, both with what differs marked, out.
+"""What a correction changes in a sentence: takes two, returns both with their differences marked.
 
-Words and stops are compared as such, and the formulas between them as formulas.
+Words and punctuation are compared literally, the formulas between them as formulas.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from mechproof.latex.changes import Style, mark_changes
 from mechproof.latex.sentences import list_parts
 
 WORD = re.compile(r"[^\s,;:]+\s*|[,;:]\s*|\s+")
-# With a smaller share in common, two sentences say different things: nothing is marked.
+# If two sentences have a smaller share in common, they say different things: nothing is marked.
 LEAST = 0.5
 
 
 @dataclass(frozen=True)
 class _Piece:
-    """A word with the blanks behind it, or a formula; whether the other sentence lacks it."""
+    """A word with the blanks after it, or a formula; and whether the other sentence lacks it."""
 
     is_word: bool
     latex: str
@@ -29,14 +29,14 @@ class _Piece:
 
     @property
     def same(self) -> tuple[bool, str]:
-        """Return what is compared."""
+        """Return the key by which pieces are compared."""
         return self.is_word, self.latex.strip()
 
 
 def mark_sentences(printed: str, mend: str, taken: Style, put: Style) -> tuple[str, str]:
-    """Return both with marks: what the print alone has as `taken`, what the mend alone as `put`.
+    """Return both sentences, marking with `taken` and `put` what only the first or second has.
 
-    Two that have little in common are returned as they are.
+    Sentences that have little in common are returned unchanged.
     """
     left, right = tuple(_list_pieces(printed)), tuple(_list_pieces(mend))
     matcher = SequenceMatcher(None, [p.same for p in left], [p.same for p in right], autojunk=False)
@@ -62,9 +62,9 @@ def _list_pieces(latex: str) -> Iterator[_Piece]:
 
 
 def _mark_formulas(old: _Piece, new: _Piece, taken: Style, put: Style) -> tuple[_Piece, ...]:
-    """Return both formulas with their own marks; nothing if they are none or have little in common.
+    """Return both formulas with their differences marked; () for words or too different formulas.
 
-    What is marked within counts as kept.
+    A formula with marks inside it counts as kept.
     """
     if old.is_word or new.is_word:
         return ()
@@ -75,7 +75,7 @@ def _mark_formulas(old: _Piece, new: _Piece, taken: Style, put: Style) -> tuple[
 
 
 def _measure(pieces: Sequence[_Piece]) -> int:
-    """Count the signs of what both sentences have."""
+    """Return the number of characters in pieces that both sentences have."""
     return sum(len(piece.latex) for piece in pieces if not piece.changed)
 
 

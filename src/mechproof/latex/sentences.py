@@ -1,4 +1,4 @@
-r"""Sentences in LaTeX: which prints are words with formulas between them, and their parts."""
+"""Sentences in LaTeX: which prints are words with formulas between them, and their parts."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ WORDS = re.compile(r"[^\W\d_]{4}|[^\W\d_]{2}.* |^ .*[^\W\d_]{2}|^ ")
 
 
 def is_sentence(latex: str) -> bool:
-    """Return whether words stand in it outside every group and every bracket."""
+    """Return whether a print has words outside all groups and brackets."""
     return any(is_text and WORDS.search(part) for is_text, part in list_parts(latex))
 
 
 def list_parts(latex: str) -> Iterator[tuple[bool, str]]:
-    r"""Yield what lies in \text{...} outside of groups, and what lies between."""
+    r"""Yield the texts of \text{...} outside groups (True) and the pieces between them (False)."""
     start = 0
     for begin, end in _find_texts(latex):
         if latex[start:begin].strip():
@@ -46,7 +46,7 @@ def walk_outside(latex: str) -> Iterator[int]:
 
 
 def find_brace(latex: str, start: int) -> int | None:
-    """Return the place of the brace that closes the one at `start`, None where there is none."""
+    """Return the place of the brace that closes the one at `start`, or None if none does."""
     depth = 0
     for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
         depth += {"{": 1, "}": -1}.get(token[0], 0)

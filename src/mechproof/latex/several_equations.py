@@ -1,7 +1,7 @@
-r"""Several equations in one print: rows of an environment, and steps that arrows join.
+"""Several equations in one print: rows of an environment, and steps joined by arrows.
 
-A `matrix` with relations in it is no matrix but rows of equations: its conditions belong to their
-row, `&` between two equations is a comma, beside a relation sign nothing.
+A `matrix` that contains relations is not a matrix but rows of equations: conditions belong to
+their row, `&` between two equations is a comma, and `&` next to a relation sign means nothing.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _SIGNS = (*RELATIONS, "+", "-", r"\pm", r"\mp", ",", ";", r"\in")
 
 @dataclass(frozen=True)
 class Line:
-    """The signs of one print, and the arrow before it where it is a step from that before."""
+    """The signs of one print, and the arrow in front if it follows from the preceding print."""
 
     tokens: list[Token]
     arrow: Token | None = None
@@ -34,14 +34,14 @@ def split(tokens: Sequence[Token]) -> list[Line]:
 
 
 def _measure(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
-    """Return signs with how deep they stand in brackets and environments."""
+    """Yield signs with the number of brackets and environments around them."""
     return zip(measure_depths(token.text for token in tokens), tokens, strict=True)
 
 
 def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
-    """Return the rows of a print that is one environment with relations in it, none of another.
+    """Return the rows of a print that is a single environment with relations, else an empty list.
 
-    What follows the environment belongs to each row.
+    The signs after the environment belong to each row.
     """
     kinds = [rf"\begin{{{kind}}}" for kind in _ROWS]
     levels = list(_measure(tokens))
@@ -70,7 +70,7 @@ def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
 
 
 def _strip(row: Sequence[Token]) -> list[Token]:
-    """Return a row without the marks at its end."""
+    """Return a row without the punctuation and blanks at its end."""
     end = len(row)
     while end and row[end - 1].text in (",", ";", ".", *GAPS.values()):
         end -= 1
@@ -78,7 +78,7 @@ def _strip(row: Sequence[Token]) -> list[Token]:
 
 
 def _part_cells(row: Sequence[Token]) -> Iterator[Token]:
-    """Yield the signs of a row, a comma for what parts two equations."""
+    """Yield the signs of a row, with a comma for an `&` that separates two equations."""
     for place, (depth, token) in enumerate(_measure(row)):
         if depth or token.text != "&":
             yield token

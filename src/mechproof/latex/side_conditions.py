@@ -1,7 +1,7 @@
-r"""Where a statement is meant: `\text{ for }x>0`, `,\ x>0`, `\quad x>0`, `(x>0)`, `\forall x>0`.
+r"""Conditions of a statement: `\text{ for }x>0`, `,\ x>0`, `\quad x>0`, `(x>0)`, `\forall x>0`.
 
-A gap between two factors may part a statement from its condition, and in square brackets the
-entries of a row: [x\quad y] is (x,y). Elsewhere it is a blank.
+A gap may separate a statement from its condition and, in square brackets, the entries of a row:
+[x\quad y] is (x,y). Anywhere else it is a blank.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _JOINING = ("+", "-", "/", r"\pm", r"\mp", *DOTS)
 
 
 def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
-    """Return signs without the gaps that are mere blanks: those before no condition.
+    """Return signs without the gaps that are mere blanks, in front of no condition.
 
     Gaps that may separate the entries of a row are kept, too.
     """
@@ -61,7 +61,7 @@ def keep_gaps(tokens: Sequence[Token]) -> tuple[Token, ...]:
 
 
 def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
-    """Return whether a relation stands before a gap, and what could be a condition behind it."""
+    """Return whether a gap follows a relation and precedes a possible condition."""
     before = next((n for n in range(place - 1, -1, -1) if texts[n] not in GAPS), None)
     after = next((n for n in range(place + 1, len(texts)) if texts[n] not in GAPS), None)
     if before is None or after is None or WIDE in texts[before:place]:
@@ -82,14 +82,14 @@ def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
 
 
 def _is_integrand(texts: Sequence[str]) -> bool:
-    """Return whether an integral has begun and waits for its differential."""
+    """Return whether an integral has begun whose differential is still to come."""
     last = max((n for n, text in enumerate(texts) if text in _RELATING), default=0)
     inside = texts[last:]
     return r"\int" in inside and "d" not in inside[inside.index(r"\int") :]
 
 
 def _is_inequality_ahead(texts: Sequence[str]) -> bool:
-    """Return whether the next relation is none of equality; letters in a list share it."""
+    """Return whether the next relation is not an equality; letters in a list share it."""
     texts = [text for text in texts if text not in GAPS]
     first = next((n for n, text in enumerate(texts) if text in _RELATING), None)
     if first is None or texts[first] not in (*_INEQUALITIES, r"\in"):
@@ -99,9 +99,9 @@ def _is_inequality_ahead(texts: Sequence[str]) -> bool:
 
 
 def _part_rows(tokens: Sequence[Token]) -> tuple[list[Token], set[int]]:
-    """Return signs with commas for wide gaps between entries, and which narrow ones may be some.
+    """Return signs with commas for wide gaps between entries, and the places of unclear gaps.
 
-    Those stand between what nothing else joins.
+    Narrow gaps are unclear in brackets without wide gaps, operators or signs.
     """
     texts = [token.text for token in tokens]
     parted, unclear = list(tokens), set[int]()
@@ -121,7 +121,7 @@ def _part_rows(tokens: Sequence[Token]) -> tuple[list[Token], set[int]]:
 
 
 def _stands_between(texts: Sequence[str], place: int) -> bool:
-    """Return whether a gap stands between two entries, of which the second may have a sign."""
+    """Return whether a gap lies between two entries, the second of which may have a sign."""
     before = next(text for text in texts[place::-1] if text not in GAPS)
     after = [text for text in texts[place + 1 :] if text not in GAPS][:1]
     is_sign = texts[place + 1 : place + 2] == ["-"] and texts[place + 2] not in GAPS
@@ -135,14 +135,14 @@ def _stands_between(texts: Sequence[str], place: int) -> bool:
 
 @dataclass(frozen=True)
 class ChainPart:
-    """A chain between commas; `said` where a word, a gap or a bracket says it is a condition."""
+    """A chain between commas; `said` if a word, a gap or a bracket marks it as a condition."""
 
     chain: Chain
     said: bool = False
 
 
 def is_bracketed(parser: Parser) -> bool:
-    """Return whether a bracket with relations begins here: a condition, no factor."""
+    """Return whether a bracket with relations begins here: a condition, not a factor."""
     if parser.text not in ("(", "["):
         return False
     depth = 0
@@ -156,7 +156,7 @@ def is_bracketed(parser: Parser) -> bool:
 
 
 def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
-    """Return the statements of a print, each with the conditions that stand behind them all."""
+    """Return the statements of a print, each with the conditions that follow them all."""
     statements: list[Chain] = []
     conditions: list[Chain] = []
     for part in _share_relations(parser, parts):
@@ -188,7 +188,7 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
 def _narrows(
     parser: Parser, statements: Sequence[Chain], conditions: Sequence[Chain], chain: Chain
 ) -> bool:
-    """Return whether a relation that nothing calls a condition is one."""
+    """Return whether an unmarked relation is a condition."""
     says_values = bool(conditions) and {*conditions[-1].relations} <= {"=", AND}
     if says_values and _is_value(chain, *conditions, *statements):
         return True
@@ -196,9 +196,9 @@ def _narrows(
 
 
 def _is_value(chain: Chain, *others: Chain) -> bool:
-    r"""Return whether a letter has a value behind a condition: \text{ for }x=0,\ y=0.
+    r"""Return whether a chain gives a letter a value after a condition: \text{ for }x=0,\ y=0.
 
-    The letter must not stand alone in the statement or in the condition.
+    The letter must not be a member of any of the other chains.
     """
     letter, *values = chain.members
     is_value = isinstance(letter, Letter) and not any(map(_has_letter, values))
@@ -214,7 +214,7 @@ def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:
 
 
 def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[ChainPart]:
-    """Read x,y>0 as x>0 and y>0, 0<x,x<1 as 0<x<1; refuse 0<x,y<1."""
+    """Read x,y>0 as x>0 and y>0; refuse 0<x,y<1."""
     waiting: list[ChainPart] = []
     last: Chain | None = None
     for part in parts:
@@ -252,7 +252,7 @@ def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> N
 
 
 def _is_condition(parser: Parser, statements: Sequence[Chain], chain: Chain) -> bool:
-    """Return whether a relation behind statements is their condition; refuse what may be either."""
+    """Return whether a relation after statements is their condition; refuse what may be either."""
     if not _is_inequality(chain) or not _has_letter(chain):
         return False
     letters = (m.inside if isinstance(m, Magnitude) else m for m in chain.members)

@@ -1,4 +1,4 @@
-"""Two sides of a relation, made to say the same kind of thing: rows, entries, signs, decimals."""
+"""Two sides of a relation, matched in kind: rows, entries, signs, decimals."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _ARCS = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
 
 
 def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
-    """Return sides of which a bracket with commas stands as a column if the other is one.
+    """Return sides in which comma-separated entries become a column if the other side is one.
 
-    A zero beside a matrix is one of zeros; that of a letter alone is a value of it.
+    A zero opposite a matrix becomes a matrix of zeros, except opposite a letter, whose value it is.
     """
     left, right = (_fill(*pair) for pair in (sides, sides[::-1]))
     sides = left, right
@@ -39,7 +39,7 @@ def _fill(side: Any, other: Any) -> Any:
 
 
 def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Function, sp.Expr]]:
-    """Yield a side that is the sine, cosine or tangent of a letter, with the arc of the other."""
+    """Yield a side that is the sine, cosine or tangent of a letter, and the arc of the other."""
     for function, value in (sides, sides[::-1]):
         arc = _ARCS.get(getattr(function, "func", None))
         is_formula = isinstance(value, sp.Expr) and not value.is_Matrix
@@ -48,7 +48,7 @@ def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Function, sp.Expr]]:
 
 
 def name_entries(side: Any) -> Any:
-    """Return a side in which the entries of a matrix that is a symbol are those of a family."""
+    """Return a side in which the elements of matrix symbols are members of an indexed family."""
     if not side.has(sp.MatrixSymbol):
         return side
     shown = show_entries(side)
@@ -58,9 +58,10 @@ def name_entries(side: Any) -> Any:
 
 
 def says_nothing(left: Any, right: Any) -> bool:
-    """Return whether matrices of which nothing is known stand in what is no identity of them.
+    """Return whether an equation of matrices without known entries is not an identity in them.
 
-    One alone at a side is given by nothing, and what only one side has it demands of them.
+    A matrix symbol alone on a side always counts. One that appears on one side only does, too, as
+    the equation then restricts it.
     """
     sides = (left, right)
     if any(isinstance(side, sp.MatrixSymbol) for side in sides):
@@ -75,9 +76,9 @@ def says_nothing(left: Any, right: Any) -> bool:
 
 
 def is_opposite(difference: Any, residual: Any) -> bool:
-    """Return whether a difference is the residual with the other sign, at some points at least.
+    """Return whether a difference equals minus the residual, at a few test points.
 
-    Which of the two is stated changes nothing of what an equation says; what is stated is proved.
+    An equation means the same with either sign; whichever is stated is proved.
     """
     symbols = sorted(difference.free_symbols | residual.free_symbols, key=str)
     for place in range(_PLACES):
@@ -89,7 +90,7 @@ def is_opposite(difference: Any, residual: Any) -> bool:
 
 
 def round_to(node: Node, value: Any) -> PrintedNumber | None:
-    """Return that a value rounds to a printed number; None where another thing is printed."""
+    """Return the claim that a value rounds to a printed number; None if no number is printed."""
     sign, node = split_sign(strip(node))
     if isinstance(node, Degrees):
         node, value = node.number, value * 180 / sp.pi

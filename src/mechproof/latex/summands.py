@@ -1,4 +1,4 @@
-"""Sums in brackets behind letters: factors, told from the arguments of functions."""
+"""Sums in brackets after letters: factors as opposed to arguments of functions."""
 
 from __future__ import annotations
 
@@ -15,11 +15,12 @@ _VALUES = (tree.Constant, tree.Degrees, tree.Measure, tree.Letter)
 
 
 def is_no_argument(bracket: tree.Add, notation: Notation, *, moves: bool) -> bool:
-    """Return whether a sum multiplies what stands before it: nobody prints such an argument.
+    """Return whether a sum multiplies the letter before it, as nobody prints such an argument.
 
-    A term has a function, or a root that shifts no angle and no time; or all terms are lengths and
-    the like, or numbers with a literal one among them. No letter that counts is shifted, and no
-    time where what stands before the bracket `moves`.
+    Either a term has a function, or a root that shifts no angle and no time; or all terms are
+    lengths and the like, or numbers with a literal one among them. A sum that shifts a letter that
+    counts may be an argument, as may one that shifts a time if the letter before the bracket
+    `moves`.
     """
     terms = [[*tree.walk(term, tree.Call)] for _, term in bracket.terms]
     bare = [term for term in terms if not _has_function(term)]
@@ -40,7 +41,7 @@ def is_no_argument(bracket: tree.Add, notation: Notation, *, moves: bool) -> boo
 
 
 def _may_shift(dimension: Dimension | None, *, angles: bool = True) -> bool:
-    """Return whether a unit is that of a time, or of an angle if these count."""
+    """Return whether a dimension is that of a time, or of an angle if `angles` is set."""
     return dimension is not None and ((angles and dimension.is_angle) or dimension == TIME)
 
 
@@ -49,7 +50,10 @@ def _is_literal(term: Collection[tree.Node]) -> bool:
 
 
 def _is_amount(term: Collection[tree.Node], notation: Notation, *, beside: bool) -> bool:
-    """Return whether a term has the unit of no usual argument; `beside` a number it may be one."""
+    """Return whether the unit of a term rules out an argument.
+
+    A pure number does so only `beside` a literal number.
+    """
     units = [notation.dimensions.get(symbol) for symbol in _list_letters(term)]
     if any(unit not in (None, NUMBER, TIME) for unit in units):
         return True
@@ -61,7 +65,7 @@ def _list_letters(term: Iterable[tree.Node]) -> set[sp.Basic]:
 
 
 def _has_function(term: Collection[tree.Node]) -> bool:
-    """Return whether a term has a function whose value is no angle, or an exponential."""
+    """Return whether a term has a function whose value is not an angle, or an exponential."""
     return any(
         n.function.make not in ANGLES
         if isinstance(n, tree.Call)

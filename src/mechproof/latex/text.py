@@ -1,4 +1,4 @@
-"""Tree -> "read as": one line in which nothing is left to the reader's eye."""
+"""Tree -> "read as": one line that shows the structure without ambiguity."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def write_sign(sign: str) -> str:
 
 
 def _closed(node: Node) -> str:
-    """Write what may stand beside `^` and below `/`."""
+    """Write a node so that it can be an operand of `^` or a divisor, in brackets if necessary."""
     node = strip(node)
     is_plain = isinstance(node, _CLOSED) and not (isinstance(node, Call) and node.exponent)
     return write(node) if is_plain else f"({write(node)})"
@@ -89,7 +89,7 @@ def _add(node: Add) -> str:
 
 
 def _product(node: Product) -> str:
-    """Write factors; a cross where it may be more than a dot."""
+    """Write factors, with a cross where that may differ from a dot."""
     text = _factor(node.factors[0])
     has_vectors = any(map(shows_matrix, walk(node)))
     for sign, factor in zip(node.signs or repeat(""), node.factors[1:], strict=False):

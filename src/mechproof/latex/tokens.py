@@ -1,7 +1,7 @@
 r"""LaTeX -> signs in one order: what prints alike becomes the same signs.
 
-Blanks and sizes are dropped, arguments of `\frac`, `_`, `^` stand in braces, other braces go (it
-is kept what they enclosed), scripts come in the order index, primes and stars, power.
+Blanks and sizes are dropped; arguments of `\frac`, `_` and `^` are put in braces; other braces are
+removed, but what they enclosed is remembered; scripts are ordered: index, primes and stars, power.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _ARGUMENTS = {r"\frac": 2, r"\binom": 2, **dict.fromkeys((r"\sqrt", r"\pmod", r"\pod"), 1)}
-# Commands that upright words are not read as: `\mathrm{int}` rounds, and no index holds a fraction.
+# Commands that upright words must not become: `\mathrm{int}` rounds, and no index holds a fraction.
 _COMMANDS = (*_ARGUMENTS, r"\int", r"\sum", r"\prod")
 # Marks that belong to the name of a letter, not its power; nobody raises to a multiplication sign.
 _SUFFIXES = {r"\prime": "'", **dict.fromkeys((r"\cdot", r"\ast", r"\star"), STAR)}
 _DEGREE = ("°", r"\degree")
 
 
-# Letters and their other names are looked for in every print, so their signs are kept.
+# Letters and their other names are looked up in every print, so their signs are cached.
 @lru_cache(maxsize=1 << 12)
 def tokenize(latex: str) -> tuple[Token, ...]:
-    """Return the signs of a print; `ReadingError` for braces that do not match."""
+    """Return the signs of a print; raises `ReadingError` for unbalanced braces."""
     return tuple(token for token in read_signs(latex)[0] if token.text not in GAPS)
 
 
@@ -43,9 +43,9 @@ def list_signs(latex: str) -> list[str]:
 
 
 def read_signs(latex: str) -> tuple[tuple[Token, ...], tuple[tuple[int, int], ...]]:
-    """Return the signs of a print with its gaps, and the places of what stood in braces that went.
+    """Return the signs of a print with its gaps, and the spans that removed braces enclosed.
 
-    `ReadingError` for braces that do not match, and what is nested too deeply.
+    Raises `ReadingError` for unbalanced braces and for excessive nesting.
     """
     try:
         normaliser = _Normaliser(latex)
@@ -90,7 +90,7 @@ class _Normaliser:
         return signs
 
     def _is_left(self, signs: list[Token]) -> bool:
-        """Return whether scripts come next that belong to a letter behind them."""
+        """Return whether scripts come next that belong to the letter after them."""
         if self._peek() not in ("_", "^", "{"):
             return False
         texts = [sign.text for sign in self.raw[self.place :]]
@@ -109,7 +109,7 @@ class _Normaliser:
             return False
         between = self.source.latex[signs[-1].end : self.raw[self.place].start]
         if first > 0 and (signs[-1].text in GAPS or between.strip()):
-            # An empty group behind a blank begins a letter.
+            # An empty group after a blank begins a letter.
             return True
         if left_scripts.is_power(inside):
             raise self._refuse(
@@ -119,7 +119,7 @@ class _Normaliser:
         return True
 
     def _read_left(self) -> list[Token]:
-        """Read the scripts at the left of a letter, the upper one first."""
+        """Read the scripts to the left of a letter, the upper one first."""
         found: dict[str, list[Token]] = {}
         start = self.raw[self.place].start
         while self._is_left([]):
@@ -185,12 +185,12 @@ class _Normaliser:
         return self._read_arguments(Token(text, first.start, first.end))
 
     def _is_letter_before_index(self, signs: Sequence[Token]) -> bool:
-        r"""Return whether braces hold one letter of which an index follows: {q}_1, {\dot q}_1."""
+        r"""Return whether braces enclose one letter whose index follows: {q}_1, {\dot q}_1."""
         is_one = len(signs) == 1 or (signs[0].text in ACCENTS and len(signs) == len(r"a{q}"))
         return is_one and self._peek() == "_"
 
     def _read_stack(self) -> Token | None:
-        """Read a relation with something above or below it; nothing else is read."""
+        """Read a relation with something above or below it; return None for any other stack."""
         place = self.place
         above, below = self._read_argument()[1:-1], self._read_argument()[1:-1]
         is_asked = any(printed_commands.QUESTION in sign.text for sign in above)
@@ -200,14 +200,14 @@ class _Normaliser:
         return None
 
     def _read_quantity(self, first: Token) -> list[Token]:
-        r"""Read \SI{66}{mm} as a number with a unit in upright letters behind it."""
+        r"""Read \SI{66}{mm} as a number followed by a unit in upright letters."""
         number = self._read_number() if first.text in printed_commands.QUANTITIES[:2] else []
         start = self.raw[self.place].start if number and self.place < len(self.raw) else first.start
         words, end = self._read_words()
         return [*number, Token(rf"\mathrm{{{words}}}", start, end)]
 
     def _read_number(self) -> list[Token]:
-        """Read a number of siunitx, in which a comma is decimal and a plus says nothing."""
+        """Read a number of siunitx, where a comma is decimal and a leading plus is dropped."""
         count = len(self.groups)
         inner = self._read_argument()[1:-1]
         del self.groups[count:]
@@ -229,7 +229,7 @@ class _Normaliser:
         return [*number[:-1], *(replace(last, end=end) for last in number[-1:]), *script]
 
     def _read_environment(self, first: Token) -> Token:
-        """Read a beginning or an end; an array is a matrix, whatever its columns are."""
+        """Read the beginning or end of an environment; an array becomes a plain matrix."""
         inside, end = self._read_group()
         name = "".join(sign.text for sign in inside)
         has_options = name.endswith("*") or "Nice" in name
@@ -260,7 +260,7 @@ class _Normaliser:
         return signs
 
     def _read_argument(self) -> list[Token]:
-        """Read what TeX takes as an argument: a group or one sign; it comes in braces."""
+        """Read an argument as TeX does, a group or a single sign; return it in braces."""
         while self._peek() in GAPS:
             self._take()
         first = self.place
@@ -283,13 +283,13 @@ class _Normaliser:
         return self._take()
 
     def _read_words(self) -> tuple[str, int]:
-        """Return the text in the braces that follow, as it stands."""
+        """Return the source text in the braces that follow, and where they end."""
         start = self.raw[self.place].end if self.place < len(self.raw) else 0
         _, end = self._read_group()
         return self.source.latex[start : self.raw[self.place - 1].start], end
 
     def _read_group(self) -> tuple[list[Token], int]:
-        """Return the signs in the braces that follow, and where these end."""
+        """Return the signs in the braces that follow, and where they end."""
         self._close("{")
         first, depth = self.place, 1
         while depth:
@@ -327,12 +327,12 @@ class _Normaliser:
                 inner = self._read_sign_script(mark)
             kind, inside = inner[0].text, inner[2:-1]
             if not inside:
-                # An empty script, as macros leave it for an order that is not given.
+                # An empty script, left by macros for an order that is not given.
                 continue
             signs = (_SUFFIXES.get(t.text, "") for t in inside if kind == "^")
             suffixes = [*takewhile(bool, signs)]
             power = inside[len(suffixes) :]
-            # Primes beside a power in the same braces have no place of their own.
+            # Primes that share braces with a power have no place of their own.
             end = mark.start if power else inner[-1].end
             primes += [Token(sign, mark.start, end) for sign in suffixes]
             if suffixes and not power:
@@ -343,7 +343,7 @@ class _Normaliser:
         return [*found.get("_", []), *primes, *found.get("^", [])]
 
     def _read_sign_script(self, first: Token) -> list[Token]:
-        """Read signs that are scripts by themselves: a degree, raised or lowered digits."""
+        """Read signs that are scripts in themselves: a degree, raised or lowered digits."""
         kind, text = read_script(first.text) if first.text not in _DEGREE else ("^", r"\circ")
         signs, last = [Token(text, first.start, first.end)], first
         while first.text not in _DEGREE and read_script(self._peek())[0] == kind:

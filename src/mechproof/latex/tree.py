@@ -1,4 +1,4 @@
-"""What a print is, before it is mathematics: its nodes, with all its brackets and its order."""
+"""A print as parsed, before it becomes mathematics: nodes that keep its brackets and order."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import sympy as sp
 
 @dataclass(frozen=True)
 class Node:
-    """A part of a print and where it stands in the source."""
+    """A part of a print and its place in the source."""
 
     start: int = field(default=0, kw_only=True, compare=False)
     end: int = field(default=0, kw_only=True, compare=False)
@@ -19,16 +19,16 @@ class Node:
 
 @dataclass(frozen=True)
 class Number(Node):
-    """Digits, with a decimal point or without."""
+    """Digits, possibly with a decimal point."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Measure(Node):
-    """A number with its unit as it is printed; beside letters the unit is a factor.
+    """A number with its printed unit, which is a factor next to letters.
 
-    Elsewhere the expression that it is does not show the unit.
+    Elsewhere its expression does not contain the unit.
     """
 
     number: Number
@@ -38,7 +38,7 @@ class Measure(Node):
 
 @dataclass(frozen=True)
 class Calculated(Node):
-    """A calculation with units, the number that it gives, and in which unit."""
+    """A calculation with units, the number that results, and its unit."""
 
     of: Node
     value: sp.Expr
@@ -78,7 +78,7 @@ class Add(Node):
 
 @dataclass(frozen=True)
 class Product(Node):
-    """Factors, in the printed order, and the signs between them; none stands for no sign."""
+    """Factors in printed order, and the signs between them, "" if there is none."""
 
     factors: tuple[Node, ...]
     signs: tuple[str, ...] = field(default=(), compare=False)
@@ -111,7 +111,7 @@ class Power(Node):
 
 @dataclass(frozen=True)
 class Radical(Node):
-    """A root; without degree the square root."""
+    """A root, by default the square root."""
 
     radicand: Node
     degree: Node | None = None
@@ -119,7 +119,7 @@ class Radical(Node):
 
 @dataclass(frozen=True)
 class PrintedFunction:
-    """A function by the name that is printed, and how its value is made."""
+    """A function: its printed name, and how its value is made."""
 
     name: str
     make: Callable[..., sp.Expr]
@@ -127,7 +127,7 @@ class PrintedFunction:
 
 @dataclass(frozen=True)
 class Call(Node):
-    """A function of arguments, raised to a power where one is printed; no argument: missing."""
+    """A function of arguments, possibly raised to a power; () if no argument is printed."""
 
     function: PrintedFunction
     arguments: tuple[Node, ...]
@@ -136,7 +136,7 @@ class Call(Node):
 
 @dataclass(frozen=True)
 class Repeated(Node):
-    """A sum or product of a term over an index; `apart` is the index it must differ from."""
+    """A sum or product of a term over an index; the index skips the values `apart`."""
 
     name: str
     term: Node
@@ -148,7 +148,7 @@ class Repeated(Node):
 
 @dataclass(frozen=True)
 class Integration(Node):
-    """An integral; no differential: it is missing in print."""
+    """An integral; its differential is None if it is missing in print."""
 
     integrand: Node
     differential: Node | None
@@ -187,7 +187,7 @@ class Extremum(Node):
 
 @dataclass(frozen=True)
 class At(Node):
-    """The value of an expression where a letter has a value; the letter is printed or found."""
+    """The value of an expression at a value of a letter, which is printed or found."""
 
     term: Node
     by: Letter
@@ -211,7 +211,7 @@ class Entries(Node):
 
 @dataclass(frozen=True)
 class Excerpt(Node):
-    """Rows and columns of a matrix by their numbers, first and last; None: all of them."""
+    """Rows and columns of a matrix, each as first and last number; None means all."""
 
     of: Node
     ranges: tuple[tuple[int, int] | None, ...]
@@ -219,7 +219,7 @@ class Excerpt(Node):
 
 @dataclass(frozen=True)
 class Transposed(Node):
-    """A matrix or components with a T."""
+    """A matrix or a bracket of components with a T."""
 
     of: Node
 
@@ -240,7 +240,7 @@ class Degrees(Node):
 
 @dataclass(frozen=True)
 class Cases(Node):
-    """Values and the conditions under which they are taken (None: no value), and that elsewhere."""
+    """Values under conditions (None: undefined), and the value elsewhere."""
 
     pieces: tuple[tuple[Node | None, Chain], ...]
     otherwise: Node | None = None
@@ -248,9 +248,9 @@ class Cases(Node):
 
 @dataclass(frozen=True)
 class Chain(Node):
-    """Members and the relation signs between them; a condition narrows where they are meant.
+    """Members and the relation signs between them; a condition restricts where they are claimed.
 
-    In a condition `AND` may stand between two relations.
+    In a condition, `AND` may separate two relations.
     """
 
     members: tuple[Node, ...]
@@ -259,18 +259,18 @@ class Chain(Node):
 
 
 def shows_matrix(node: Node) -> bool:
-    """Return whether a node by itself is a matrix or a vector, as printed or as declared."""
+    """Return whether a node itself is a matrix or a vector, as printed or as declared."""
     is_named = isinstance(node, Letter) and isinstance(node.symbol, sp.MatrixSymbol)
     return is_named or isinstance(node, Entries | Table)
 
 
 def strip(node: Node) -> Node:
-    """Return what stands in the brackets around it."""
+    """Return a node without the brackets around it."""
     return strip(node.inside) if isinstance(node, Bracket) else node
 
 
 def exchange(part: Any, change: Callable[[Node], Node | None]) -> Any:
-    """Return a part of a print with other nodes where there are some, the outermost first."""
+    """Return a part of a print with nodes replaced where `change` returns one, outermost first."""
     if isinstance(part, Node):
         if (other := change(part)) is not None:
             return other
@@ -279,7 +279,7 @@ def exchange(part: Any, change: Callable[[Node], Node | None]) -> Any:
 
 
 def walk(part: object, closed: type[Node] | tuple[()] = ()) -> Iterator[Node]:
-    """Yield all nodes of a print but for those within `closed` ones."""
+    """Yield all nodes of a print, except those inside `closed` ones."""
     if isinstance(part, Node):
         yield part
         part = () if isinstance(part, closed) else tuple(vars(part).values())

@@ -1,4 +1,4 @@
-"""Letters that nobody declared: refused, bound by an integral, or noted where that is asked for."""
+"""Undeclared letters: refused, bound by an integral, or collected on request."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from mechproof.record.unit_notation import is_unit
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-# Letters that readers take differently when they stand without an index.
+# Letters that readers interpret differently when they have no index.
 UNSURE = {
     "e": r"Print \mathrm{e} for Euler's number. Otherwise:",
     "i": "The imaginary unit is not read. Otherwise, as for a ratio:",
@@ -29,12 +29,12 @@ UNSURE = {
 }
 # Signs that form one quantity with the next letter, or a product with it.
 _INCREMENTS = (r"\Delta", r"\delta")
-# Signs behind which a d is a letter, not a differential.
+# Signs after which a d is a letter, not a differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
 # Signs between factors, and between any operands.
 _FACTORS = (r"\cdot", r"\times", "/")
 _BETWEEN = ("+", "-", *_FACTORS)
-# Units that, behind a number, may just as well be letters.
+# Units that, after a number, may just as well be letters.
 _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
@@ -60,7 +60,7 @@ _UNREAD = {
 
 
 def read_undeclared(parser: Parser) -> Node:
-    """Note a letter where that is asked for, let an integral bind it, or refuse it."""
+    """Collect a letter if that is requested, let an integral bind it, or refuse it."""
     text = parser.text
     if not text:
         raise parser.refuse("the print ends, but something must follow")
@@ -93,7 +93,7 @@ def read_undeclared(parser: Parser) -> Node:
 
 
 def _advise_rate(parser: Parser) -> str:
-    r"""Return what makes \dot x the derivative of a declared letter that depends on nothing yet."""
+    r"""Return how to declare \dot x as the rate of a declared letter that has none yet."""
     signs = [
         token.text for token in parser.tokens[parser.place : find_end(parser.tokens, parser.place)]
     ]
@@ -104,13 +104,13 @@ def _advise_rate(parser: Parser) -> str:
 
 
 def advise_running(parser: Parser, name: Name | None, by: str) -> str:
-    """Return how to say that a declared letter depends on another one, if it does on none."""
+    """Return how to declare that a letter depends on another one, "" if it already does."""
     is_free = name is not None and name.symbol not in parser.notation.moving
     return parser.remedies.rate.format(name.latex, by) if name and is_free else ""
 
 
 def _refuse_unit(parser: Parser, word: str) -> None:
-    """Refuse a unit behind a number: it is no factor of its own."""
+    """Refuse a unit after a number: it is not a factor of its own."""
     before = parser.tokens[parser.place - 1].text if parser.place else ""
     inside = word.partition("{")[2].strip("}")
     if inside and is_digit(before) and is_unit(inside) and inside not in _LETTERS:
@@ -121,7 +121,7 @@ def _refuse_unit(parser: Parser, word: str) -> None:
 
 
 def _upright_word(parser: Parser) -> str:
-    """Return the name in upright letters that stands here, as it is printed, else nothing."""
+    """Return the upright name that comes next, as it is printed, or ""."""
     token = parser.tokens[parser.place]
     command = find_command(parser.source.latex, token.start)
     if command not in (*UPRIGHT, *TEXT):
@@ -136,9 +136,9 @@ def _upright_word(parser: Parser) -> str:
 
 
 def _is_operand(parser: Parser) -> bool:
-    """Return whether words stand where a quantity does, and say nothing of what is beside them.
+    """Return whether words are used as a quantity, rather than to describe what is next to them.
 
-    At the end they may say what is left out, or what is meant: "constant over time".
+    At the end they may name what is left out, or what is meant: "constant over time".
     """
     texts = ["", *(token.text for token in parser.tokens), ""]
     before, behind = texts[parser.place], texts[parser.place + 2]
@@ -149,10 +149,10 @@ def _is_operand(parser: Parser) -> bool:
 
 
 def _is_unsure(parser: Parser) -> bool:
-    """Return whether a letter here may be no quantity, and nothing around it says that it is.
+    """Return whether a letter here may not be a quantity, and its context does not decide.
 
-    In a row of letters from a on (`a & b & c & d`) it is one of them, and a d with nothing behind
-    it is no differential.
+    In a row of letters from a onwards (`a & b & c & d`) it is one of them, and a d with nothing
+    after it is not a differential.
     """
     text, place = parser.text, parser.place
     if text not in UNSURE or find_end(parser.tokens, place) > place + 1:
@@ -165,7 +165,7 @@ def _is_unsure(parser: Parser) -> bool:
 
 
 def _read_running(parser: Parser) -> Letter:
-    """Read an undeclared letter that the differential of an integral around it may bind."""
+    """Read an undeclared letter that the differential of an enclosing integral may bind."""
     letter = _read_plain(parser)
     if other := parser.names.find_alike(letter.symbol):
         raise parser.refuse(
@@ -189,7 +189,7 @@ def _read_plain(parser: Parser) -> Letter:
 
 
 def _refuse_expression(parser: Parser, texts: list[str]) -> None:
-    """Refuse a letter whose index says a relation, or whose accent spans more than a name."""
+    """Refuse a letter whose index contains a relation, or whose accent spans more than a name."""
     if not {"=", "<", ">", r"\le", r"\ge"}.isdisjoint(texts):
         raise parser.refuse(
             "an index with a relation in it: a sum, or a value at a place?",
@@ -205,7 +205,7 @@ def _refuse_expression(parser: Parser, texts: list[str]) -> None:
 
 
 def _collect(parser: Parser) -> Letter:
-    """Note a letter that nobody declared; with a bound index it is one of a family."""
+    """Collect an undeclared letter; with a bound index it is a member of a family."""
     place = parser.place
     letter = _read_plain(parser)
     if parser.text and letter.text in _INCREMENTS and begins_letter(parser.text):
@@ -229,7 +229,7 @@ def _collect(parser: Parser) -> Letter:
 
 
 def _find_running_index(parser: Parser, start: int, end: int) -> str:
-    """Return the letters that run here at the end of the index of a letter: i of d_{bi}."""
+    """Return the bound letters at the end of a letter's index: i of d_{bi}."""
     texts = [token.text for token in parser.tokens[start:end]]
     index = texts[texts.index("_") + 2 :] if "_" in texts else []
     own = next((n for n, text in enumerate(index) if text in parser.bound), len(index))
@@ -237,7 +237,7 @@ def _find_running_index(parser: Parser, start: int, end: int) -> str:
 
 
 def find_end(tokens: Sequence[Token], place: int) -> int:
-    """Return the place behind a letter with its accent, index and primes."""
+    """Return the place after a letter with its accent, index and primes."""
     place = _find_base(tokens, place)
     end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
     while end < len(tokens) and tokens[end].text in ("_", *SUFFIXES):
@@ -251,7 +251,7 @@ def find_end(tokens: Sequence[Token], place: int) -> int:
 
 
 def _find_base(tokens: Sequence[Token], place: int) -> int:
-    """Return the place behind the left scripts of a letter."""
+    """Return the place after the left scripts of a letter."""
     if tokens[place].text != LEFT:
         return place
     place += 1
@@ -261,8 +261,8 @@ def _find_base(tokens: Sequence[Token], place: int) -> int:
 
 
 def printed_name(parser: Parser, place: int) -> str:
-    """Return how the letter at a place is printed, with its index and primes."""
+    """Return the print of the letter at a place, with its index and primes."""
     tokens = parser.tokens[place : find_end(parser.tokens, place)]
-    # Primes beside a power have no place of their own in the print.
+    # Primes that share braces with a power have no place of their own in the print.
     hidden = (t.text for t in tokens if t.text in SUFFIXES and t.start == t.end)
     return parser.source.latex[tokens[0].start : tokens[-1].end] + "".join(hidden)

@@ -1,7 +1,7 @@
-"""Values of symbols that are given by others: what depends on what, and putting them in.
+"""Values of symbols defined by others: what depends on what, and substitution.
 
-What is said to depend on others and has no value must not be taken as fixed. Of values by pieces it
-is told where these end, and whether those that meet there have one value.
+A letter declared to depend on others must not be taken as fixed if it has no value. For values by
+pieces, the ends of the pieces are listed, and whether adjacent pieces agree there.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ _ORDERS = (sp.Lt, sp.Le, sp.Gt, sp.Ge)
 
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
-    """Return whether a symbol is one of these, or is given by them."""
+    """Return whether a symbol is one of `on`, or its value depends on one."""
     return not list_reached({symbol}, values).isdisjoint(on)
 
 
 def list_reached(symbols: Collection[sp.Basic], values: Values) -> set[sp.Basic]:
-    """Return symbols and those by which they are given."""
+    """Return the symbols and all those on which their values depend."""
     met, new = set[sp.Basic](), set(symbols)
     while new:
         met |= new
@@ -47,7 +47,7 @@ def list_reached(symbols: Collection[sp.Basic], values: Values) -> set[sp.Basic]
 
 
 def settle_all(expression: Any, values: Values) -> Any:
-    """Put in all values that are given, also those within values."""
+    """Put in all given values, also those inside values."""
     for _ in range(len(values) + 1):
         if not expression.free_symbols & values.keys():
             break
@@ -56,12 +56,15 @@ def settle_all(expression: Any, values: Values) -> Any:
 
 
 def has_counts(value: sp.Basic) -> bool:
-    """Tell whether whole numbers are in an expression."""
+    """Return whether an expression contains integer symbols."""
     return any(symbol.is_integer for symbol in value.free_symbols)
 
 
 def split_tangents(expression: Any, put_in: Iterable[sp.Basic]) -> Any:
-    """Return an expression into which values are put in safely, whole numbers among them."""
+    """Return the expression with tangents as quotients if `put_in` contains integer symbols.
+
+    Such values can then be put in safely.
+    """
     if any(map(has_counts, put_in)):
         for tangent, quotient in QUOTIENTS.items():
             expression = expression.replace(tangent, quotient)
@@ -69,7 +72,7 @@ def split_tangents(expression: Any, put_in: Iterable[sp.Basic]) -> Any:
 
 
 def settle(expression: Any, values: Values, changed: Values) -> Any:
-    """Put in new values, also where the symbol is hidden in one that is given by it."""
+    """Put in new values, also for symbols hidden in the values of others."""
     for _ in range(len(values) + 1):
         hidden = {
             symbol: values[symbol]
@@ -83,9 +86,9 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
 
 
 def list_steps(by: sp.Basic, moving: Moving) -> Iterator[tuple[tuple[sp.Basic, ...], sp.Basic]]:
-    """Yield letters that move with another, each with its derivatives and what these are times.
+    """Yield letters that move with another, each with its derivatives and their common factor.
 
-    That is the speed of the letter by which they are, where it moves with the other itself.
+    The factor is one, or the rate of the letter they depend on if that itself depends on `by`.
     """
     for symbol, (other, rates) in moving.items():
         carrier, speeds = moving.get(other, (None, ()))
@@ -96,7 +99,7 @@ def list_steps(by: sp.Basic, moving: Moving) -> Iterator[tuple[tuple[sp.Basic, .
 def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
     """Return the derivative of a value by a letter, also through the letters that depend on it.
 
-    Raises `ValueError` for a derivative of a higher order than the letters have symbols for.
+    Raises `ValueError` for a derivative of higher order than the letters have symbols for.
     """
     total = value.diff(by)
     met = value.free_symbols
@@ -128,14 +131,14 @@ def name_turns(expression: sp.Expr) -> sp.Expr:
 
 
 def make_running(name: str, inside: Any, *, counts: bool = False) -> sp.Dummy:
-    """Return a bound variable that nothing within is, the same one at each reading."""
+    """Return a bound variable that `inside` does not contain, the same one at each reading."""
     met, kind = inside.atoms(sp.Dummy), {"integer": True} if counts else {"real": True}
     numbered = (sp.Dummy(f"{name}_", dummy_index=n, **kind) for n in count())
     return next(dummy for dummy in numbered if dummy not in met)
 
 
 def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.Basic) -> None:
-    """Refuse a term in which what is said to depend on a letter has no value."""
+    """Refuse a term with a letter that depends on another but has no value."""
     term, where = said
     if unknown := _list_unknown(meaning, term, list_moving(by, meaning.moving)):
         told = "depends on {}, and is" if len(unknown) == 1 else "depend on {}, and are"
@@ -147,7 +150,7 @@ def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.B
 
 
 def list_beside(meaning: Meaning, term: Any, by: sp.Basic) -> list[str]:
-    """Return what has no value in a term and depends on what a letter depends on."""
+    """Return the letters of a term that have no value but depend on the carrier of `by`."""
     carrier = _find_carrier(by, meaning.moving)
     beside = {carrier} | list_moving(carrier, meaning.moving)
     return _list_unknown(meaning, term, beside) if by in beside - {carrier} else []
@@ -159,7 +162,7 @@ def _list_unknown(meaning: Meaning, term: Any, moving: set[sp.Basic]) -> list[st
 
 
 def list_moving(by: sp.Basic, moving: Moving) -> set[sp.Basic]:
-    """Return the letters that depend on another, also through others, and their derivatives."""
+    """Return the letters that depend on another, also indirectly, and their derivatives."""
     met, new = set[sp.Basic](), {by}
     while new:
         met |= new
@@ -169,7 +172,7 @@ def list_moving(by: sp.Basic, moving: Moving) -> set[sp.Basic]:
 
 
 def _find_carrier(symbol: sp.Basic, moving: Moving) -> sp.Basic:
-    """Return on what a letter or a derivative depends in the end, itself if on nothing."""
+    """Return the letter on which a letter or derivative ultimately depends, or itself."""
     carriers = (other for s, (other, rates) in moving.items() if symbol in (s, *rates))
     carrier = next(carriers, None)
     return symbol if carrier is None else _find_carrier(carrier, moving)
@@ -185,12 +188,12 @@ def list_ends(*values: Any) -> list[Relational]:
 
 
 def find_end(end: Relational, by: sp.Basic) -> sp.Expr | None:
-    """Return where a piece ends along a letter, None where the end is not linear in it."""
+    """Return where a piece ends along a letter, or None if the end is not linear in it."""
     return find_zero(end.lhs - end.rhs, by)
 
 
 def find_zero(difference: sp.Expr, by: sp.Basic) -> sp.Expr | None:
-    """Return where what is linear in a letter is zero, None where it is not linear."""
+    """Return the zero of an expression linear in a letter, or None if it is not linear."""
     difference = sp.expand(difference)
     slope = difference.coeff(by)
     rest = difference - slope * by
@@ -198,9 +201,9 @@ def find_zero(difference: sp.Expr, by: sp.Basic) -> sp.Expr | None:
 
 
 def has_value(value: Any, by: sp.Basic, point: sp.Expr) -> bool:
-    """Return whether a value has one at a point where pieces may end, as far as is seen.
+    """Return whether a value is defined at a point where pieces may end, as far as is seen.
 
-    It has none where the pieces that meet differ, or where no piece holds.
+    It is not where adjacent pieces differ, or where no piece applies.
     """
     for piece in value.atoms(sp.Piecewise):
         near = [inside for inside, said in piece.args if any(_ends(said, by, point))]
@@ -213,7 +216,11 @@ def has_value(value: Any, by: sp.Basic, point: sp.Expr) -> bool:
 
 
 def list_outer_ends(value: Any, by: sp.Basic) -> Iterator[Relational]:
-    """Yield the ends along a letter beyond which no piece lies, if each end belongs to two else."""
+    """Yield the ends of pieces along a letter beyond which there is no piece.
+
+    Nothing is yielded for a value with several such ends on the same side, or with an end that is
+    not linear in the letter.
+    """
     for piece in value.atoms(sp.Piecewise):
         if any(said == sp.true for _, said in piece.args):
             continue
@@ -225,7 +232,7 @@ def list_outer_ends(value: Any, by: sp.Basic) -> Iterator[Relational]:
 
 
 def is_lower(end: Relational, by: sp.Basic) -> bool:
-    """Return whether a letter is seen to be larger than an end, else it is taken to be smaller."""
+    """Return whether an end is seen to be a lower bound of a letter; if not, it is an upper one."""
     return bool(sp.expand(end.gts - end.lts).coeff(by).is_positive)
 
 

@@ -1,4 +1,4 @@
-"""The words of a print that are more than text: those that begin, join or end conditions."""
+"""The words of a print that carry meaning: those that begin, join or end conditions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _BLANK = re.compile(r"\\[,;: ]|[~\s]+")
 
 
 def to_text(words: str) -> str:
-    """Return the sign of a text, its blanks and points aside; our words in small letters."""
+    """Return the sign of a text without outer blanks and points; known words in lower case."""
     text = _BLANK.sub(" ", words).strip(" ,;:.")
     small = rf"\text{{{text.lower()}}}"
     return small if small in (AND, *IF, *ELSE, *UNDEFINED) else rf"\text{{{text}}}"
