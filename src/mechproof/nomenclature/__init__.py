@@ -1,1 +1,1 @@
-"""The letters of a paper: what its block and words say of them, their units, shapes, symbols."""
+"""The letters of a paper: what its block and text say of them, their units, shapes and symbols."""

@@ -1,6 +1,6 @@
-r"""What stands side by side in a single equation: r(1-\cos x), \cos\omega t, \delta t, \Delta x.
+r"""Adjacent signs in a single equation: r(1-\cos x), \cos\omega t, \delta t, \Delta x.
 
-A paper declares its letters; of a single equation nothing is known but its print.
+A paper declares its letters; for a single equation there is only its print to go by.
 """
 
 from __future__ import annotations
@@ -17,22 +17,23 @@ from mechproof.latex.tokens import list_signs
 
 # Letters that stand for functions as often as for numbers.
 _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
-# Letters that may be rates or numbers before an angle, a time or a length; functions of angles;
-# angular velocities; and letters for angles, times and lengths.
+# Letters that may be rates or numbers in front of an angle, a time or a length; functions of
+# angles; angular velocities; and letters for angles, times and lengths.
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
 _OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
 _SPEEDS = (r"\omega", r"\Omega")
 RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
-# Signs before the variable of a derivative.
+# Signs in front of the variable of a derivative.
 _BY = ["{", "d"]
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
 
 
 def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
-    r"""Return the letters that a bracket behind them multiplies: r(1-\cos\varphi)=r-r\cos\varphi.
+    r"""Return the letters that multiply the bracket after them: r(1-\cos\varphi)=r-r\cos\varphi.
 
-    Such a letter also stands without a bracket, or has dots, and none of its brackets may be an
-    argument: none has its letters outside the integrals over these.
+    Such a letter also appears without a bracket, or has dots, and none of its brackets may be an
+    argument. A bracket with variables of integration counts as a factor only inside their
+    integrals.
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)
@@ -57,10 +58,10 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
 
 
 def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
-    r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx beside \cos bx.
+    r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx and \cos bx.
 
-    So do a letter and \pi, a letter and one that goes to a limit or by which something is
-    differentiated, and a ratio of fixed letters with one that runs, \sin\frac{2\pi}Tt.
+    Further pairs are a letter and \pi, a letter and a variable of a limit or derivative, and the
+    letters of a ratio of fixed letters and a running one, \sin\frac{2\pi}Tt.
     """
     met: list[tuple[str, str]] = []
     found: set[tuple[str, str]] = set()
@@ -92,7 +93,7 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
 
 
 def _read_names(texts: Sequence[str], place: int) -> tuple[str, str, str]:
-    """Return the three signs that stand at a place, each with its index."""
+    """Return the three signs at a place, each with its index."""
     names: list[str] = []
     while len(names) < 3:
         end = place + 1
@@ -104,9 +105,10 @@ def _read_names(texts: Sequence[str], place: int) -> tuple[str, str, str]:
 
 
 def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the letters of a fraction that texts begin with, each with the one behind it.
+    r"""Yield each letter of the fraction that begins `texts`, with the letter after the fraction.
 
-    Above a number a letter may be an angle that is halved.
+    Nothing is yielded for a fraction over a number, except of \pi and speeds: its letter may be an
+    angle that is halved.
     """
     middle = find_close(texts[1:]) + 2
     end = find_close(texts[middle:]) + middle
@@ -119,13 +121,13 @@ def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 
 def _is_fixed(letter: str) -> bool:
-    """Tell whether a letter may be a number or a rate, and is mostly no angle."""
+    """Return whether a letter may be a number or a rate, and is rarely an angle."""
     stem = letter.partition("_")[0]
     return stem not in RUNNING and (stem.isalpha() or stem in (r"\pi", *_RATES, *_SPEEDS))
 
 
 def find_increments(prints: Sequence[str]) -> tuple[str, ...]:
-    r"""Return \Delta x as one name, and \delta where it also stands alone, or in an exponent."""
+    r"""Return \Delta x as a single name, and \delta if it also appears alone or in an exponent."""
     found = dict.fromkeys(name for text in prints for name in _INCREMENT.findall(text))
     for texts in map(list_signs, prints):
         places = [place for place, text in enumerate(texts) if text == r"\delta"]
@@ -136,7 +138,7 @@ def find_increments(prints: Sequence[str]) -> tuple[str, ...]:
 
 
 def list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
-    """Yield each letter with its index, and where it ends; none with a prime, or behind a d."""
+    """Yield each letter with its index, and its end, except primed ones and those after a d."""
     end = 0
     for place, text in enumerate(texts):
         if place < end or not begins_letter(text):
@@ -150,14 +152,14 @@ def list_letters(texts: Sequence[str]) -> Iterator[tuple[str, int]]:
 
 
 def skip_power(texts: Sequence[str], place: int) -> int:
-    """Return where the power ends that stands at a place, if there is one."""
+    """Return the end of the power at a place, or the place itself if there is none."""
     if texts[place : place + 2] == ["^", "{"] and "}" in texts[place:]:
         return texts.index("}", place) + 1
     return place
 
 
 def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
-    """Yield where integrals with limits begin and end, and their variables."""
+    """Yield the beginnings and ends of integrals with limits, and their variables."""
     begun: list[int] = []
     for place, text in enumerate(texts):
         if text == r"\int":
@@ -169,9 +171,10 @@ def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
 
 
 def _is_factor(bracket: Sequence[str], *, is_bound: bool) -> bool:
-    """Tell whether a bracket is no argument: x+h is, as is 1-x where that is not bound.
+    """Return whether a bracket is not an argument, as x+h is, or 1-x outside an integral over x.
 
-    It holds a function, a product with a dot, or powers behind a number.
+    It contains a product with a dot, or it is a sum with a function, with a bound variable, or of 1
+    and a power.
     """
     depths = measure_depths(bracket)
     inside = [x if depth == 1 else "" for x, depth in zip(bracket, depths, strict=True)]

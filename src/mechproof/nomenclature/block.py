@@ -45,13 +45,13 @@ class BlockError(ValueError):
     """Lines of a block that cannot be read, with their places."""
 
     def __init__(self, faults: Iterable[Fault]) -> None:
-        """Tell all faults, the first line first."""
+        """Join all faults into one message, in the order of the lines."""
         self.faults = sorted({*faults})
         super().__init__("\n".join(map(str, self.faults)))
 
 
 class Fault(NamedTuple):
-    """What is wrong with a line of a block, counted from 1; 0 stands for none in particular."""
+    """The fault of a line of a block, counted from 1; 0 if it concerns no particular line."""
 
     number: int
     reason: str
@@ -64,11 +64,11 @@ class Fault(NamedTuple):
 
 @dataclass(frozen=True)
 class Declared:
-    """A letter: how it is printed, what it means, its unit, what is said of it, its shape.
+    """A letter: its prints, meaning, unit, conditions and shape.
 
-    `running` is the letter that it depends on, and by which it is differentiated; a bracket behind
-    a matrix is part of its name. `symbol` is the name of its symbol, if said. A bracket with the
-    letters of the index tells a family, S_i (i): its name is printed without them.
+    `running` is the letter that it depends on and is differentiated by; a bracket after a matrix is
+    part of its name instead. `symbol` is the name of its symbol, if given. A bracket with the
+    letters of the index declares a family, S_i (i), whose name is printed without the index.
     """
 
     names: tuple[str, ...]
@@ -84,7 +84,7 @@ class Declared:
 
 @dataclass
 class Block:
-    """All that blocks declare; what is said of equations is keyed by their names or labels."""
+    """Everything that blocks declare; statements on equations are keyed by names or labels."""
 
     letters: list[Declared] = field(default_factory=list)
     factors: list[str] = field(default_factory=list)
@@ -110,7 +110,7 @@ class Block:
 
     @contextmanager
     def blame(self, text: str, place: Place | None = None) -> Iterator[None]:
-        """Keep a `ValueError` as a fault of the line at a place, or of the first with a text."""
+        """Record a `ValueError` as a fault of the line at `place`, or the first with `text`."""
         try:
             yield
         except ValueError as error:
@@ -121,7 +121,7 @@ class Block:
             self.faults.append(_find_fault(error, where, line))
 
     def refuse_faults(self) -> None:
-        """Raise `BlockError` with all faults, if there are some."""
+        """Raise `BlockError` with all faults, if there are any."""
         if self.faults:
             raise BlockError(self.faults)
 
@@ -131,7 +131,7 @@ def _find_fault(error: ValueError, place: Place | None, line: str) -> Fault:
 
 
 def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
-    """Read the lines of a block; `BlockError` names the places of those that cannot be read."""
+    """Read the lines of a block; raises `BlockError` with the places of unreadable ones."""
     block = Block()
     for line in lines:
         word, _, rest = line.string.partition(" ")
@@ -158,7 +158,7 @@ def read_block(lines: Sequence[LocatedText], files: Files) -> Block:
 
 
 def _find_euler(block: Block) -> list[str]:
-    """Return values for letters e that are Euler's number by their meaning and have none."""
+    """Return values for letters e whose meaning says Euler's number and that have no value yet."""
     given = {text.partition("=")[0].strip() for text in block.values}
     found = (x.names[0] for x in block.letters if _EULER.search(x.meaning))
     return [rf"{name}=\exp(1)" for name in found if _E.fullmatch(name) and name not in given]
@@ -187,7 +187,8 @@ def _read_letters(line: str) -> list[Declared]:
                 f"a matrix that depends on {moved['by']}: leave ({moved['by']}) out, and declare "
                 f"its derivative in a line of its own, \\dot {moved['name']} {moved['shape']}"
             )
-        # The shape of the last letter holds for all letters of the line without one of their own.
+        # The shape of the last letter applies to all letters of the line without a shape of their
+        # own.
         shape = _SHAPE.search(text) or last
         size = (int(shape[1]), int(shape[2])) if shape else None
         found_letters.append(_read_letter(_SHAPE.sub("", text), meaning, unit, said, size))
@@ -213,19 +214,19 @@ def _read_letter(
     family = _FAMILY.match(stem) if by and len(names) == 1 else None
     signs, own = _list_signs(family[2]) if family else [], _list_signs(by)
     if family and own and signs[-len(own) :] == own:
-        # Signs before the index letters belong to the name: d_{bi} (i).
+        # Signs in front of the index letters belong to the name: d_{bi} (i).
         before = "".join(signs[: -len(own)])
         printed = f"{family[1]}_{{{before}#}}" if before else family[1]
         name = symbol.strip() or stem
         return Declared((printed,), meaning, unit, conditions, symbol=name, is_family=True)
-    # A letter that depends on several others is no motion.
+    # A letter that depends on several others is not differentiated by any.
     by = "" if "," in by else by
     names[0] = stem if by else names[0]
     return Declared(tuple(names), meaning, unit, conditions, shape, by, symbol.strip())
 
 
 def _split(text: str, at: str = ",;") -> list[str]:
-    """Return the parts of a line between such separators, but for those in brackets and braces."""
+    """Return the parts of a line between the separators `at` outside brackets and braces."""
     parts, depth = [""], 0
     for before, sign in pairwise(f" {text}"):
         depth += (sign in "([{") - (sign in ")]}")
@@ -241,7 +242,7 @@ def _list_signs(index: str) -> list[str]:
 
 
 def _add(name: str) -> Callable[[Block, str], None]:
-    """Return what enters the parts of a line, between , or ;, into a list of the block."""
+    """Return a reader that adds the parts of a line, separated by , or ;, to a block's list."""
 
     def enter(block: Block, rest: str) -> None:
         if not rest:
@@ -300,7 +301,7 @@ def _function(block: Block, rest: str) -> None:
 
 
 def _read_pairs(text: str) -> dict[str, str]:
-    """Read what is said to be something else, A is A_r, B is B_r; nothing if a part says none."""
+    """Read prints and what they stand for, A is A_r, B is B_r; {} if a part has no "is"."""
     pairs = [_MEANS.split(part) for part in _split(text)]
     return {} if any(len(pair) != 2 for pair in pairs) else dict(pairs)
 

@@ -1,4 +1,4 @@
-"""Cells of tables: a head that is a letter or a formula with its unit, a cell that is a number."""
+"""Cells of tables: a head is a letter or formula with its unit, a cell below it is a number."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _NUMBER = re.compile(
     r"(?:(?:\\cdot|\\times|[x\u00d7·])10\^?\{?(?P<ten>[-+\u2212]?\d+)\}?|[eE](?P<power>[-+]?\d+))?"
     r"(?P<unit>[^\d].*)?\Z"
 )
-# A head that shows a formula.
+# Marks of a head that shows a formula.
 MATH = re.compile(r"\$|\\\(")
-# What an empty cell holds.
+# What an empty cell contains.
 NOTHING = "-$ {}\u2212\u2013\u2014"
 _COMMA = re.compile(r"(?<=\d)(?:\{,\}|,)(?=\d)")
 _THOUSANDS = re.compile(r"[-+\u2212]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d+)?")
@@ -40,7 +40,7 @@ _THOUSANDS = re.compile(r"[-+\u2212]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d+)?")
 
 @dataclass(frozen=True)
 class Head:
-    """What a column holds: a letter or a formula, its unit if one is printed, words around it."""
+    """The content of a column: a letter or a formula, its unit if printed, and words around it."""
 
     symbol: sp.Basic
     printed: str
@@ -49,13 +49,13 @@ class Head:
 
     @property
     def is_letter(self) -> bool:
-        """Return whether it is a letter: its numbers are sizes, too."""
+        """Return whether it is a letter, whose numbers can serve as sizes, too."""
         return isinstance(self.symbol, sp.Symbol)
 
 
 @dataclass(frozen=True)
 class Numeral:
-    """A number of a cell: its digits, what they count (a power of ten), and its unit."""
+    """A number of a cell: its digits, the power of ten that multiplies them, and its unit."""
 
     digits: str
     factor: sp.Expr
@@ -68,18 +68,18 @@ class Numeral:
 
     @property
     def half_place(self) -> sp.Expr:
-        """Return half of the last place of the digits; zeros that end a whole number are none."""
+        """Return half a unit of the last place; zeros that end an integer do not count."""
         zeros = 0 if self.is_decimal else len(self.digits) - len(self.digits.rstrip("0"))
         return find_last_place(self.digits) * sp.Integer(10) ** zeros / 2
 
     @property
     def is_decimal(self) -> bool:
-        """Return whether it has decimal places: it may have been rounded."""
+        """Return whether it has decimal places or a power of ten, and so may have been rounded."""
         return "." in self.digits or "e" in self.digits
 
 
 def name_unit(text: str) -> str:
-    r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
+    r"""Return the name of a printed unit, mm for \,\mathrm{mm}; "" if it is not a unit."""
     shown = _DEGREE.sub("°", _BLANK.sub(" ", _MICRO.sub("µ", text)).replace(r"\%", "%"))
     shown = _SINGLE.sub("", drop_braces(shown))
     while (inside := _FRACTION.sub(_write_slash, _UPRIGHT.sub(r"\1", shown))) != shown:
@@ -101,13 +101,13 @@ def _write_slash(fraction: re.Match[str]) -> str:
 
 
 def find_unit(text: str) -> Unit | None:
-    """Return the unit that is printed so, None for what is none."""
+    """Return the unit that a text prints, None if it is not a unit."""
     name = name_unit(text)
     return replace(read_unit(name), name=name) if name else None
 
 
 def read_head(text: str, reader: Reader) -> Head | None:
-    """Return what a head says, None where it is no declared letter and no formula of such."""
+    """Return the content of a head, None unless it is a declared letter or a formula of such."""
     text = text.strip()
     if text.startswith("{") and text.endswith("}"):
         text = text[1:-1].strip()
@@ -155,7 +155,7 @@ def _find_letter(text: str, reader: Reader) -> sp.Symbol | None:
 
 
 def find_formula(text: str, reader: Reader) -> sp.Expr | None:
-    """Return a formula of declared letters that stands alone, None where there is none."""
+    """Return the formula of declared letters that a text consists of, or None."""
     found = _read_alone(text, reader)
     is_formula = isinstance(found, sp.Expr) and bool(found.free_symbols)
     return found if is_formula and not isinstance(found, sp.Symbol) else None
@@ -173,13 +173,13 @@ def _read_alone(text: str, reader: Reader) -> Any:
 
 
 def is_unit_or_empty(text: str) -> bool:
-    """Return whether a cell below a head says a unit or nothing."""
+    """Return whether a cell below a head contains only a unit, or nothing."""
     has_digits = any(sign.isdigit() for sign in text)
     return not text.strip(NOTHING) or (not has_digits and find_unit(text) is not None)
 
 
 def finds_decimal_commas(texts: Iterable[str]) -> bool | None:
-    """Return whether the commas of a table are decimal, None where they may part thousands."""
+    """Return whether the commas of a table are decimal, None if they may separate thousands."""
     shown = [_clean(text) for text in texts]
     commas = [text for text in shown if _COMMA.search(text)]
     if any("{,}" in text or not _THOUSANDS.fullmatch(text) for text in commas):
@@ -194,7 +194,7 @@ def _clean(text: str) -> str:
 
 
 def read_numeral(text: str, *, decimal_comma: bool) -> Numeral | None:
-    """Return the number of a cell, None for what is none."""
+    """Return the number of a cell, None if it is not a number."""
     shown = _clean(text).strip("{}") if text.strip().startswith("{") else _clean(text)
     shown = _COMMA.sub("." if decimal_comma else "", shown)
     found = _NUMBER.match(shown)

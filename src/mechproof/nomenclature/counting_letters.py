@@ -11,10 +11,10 @@ from mechproof.latex.latex_signs import find_close
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.tokens import list_signs
 
-# Letters that number the last term, behind dots.
+# Letters that number the last term, after dots.
 _LAST = ("n", "N", "m", "k")
 _RELATIONS = ("=", "<", ">", r"\le", r"\ge")
-# Remainders modulo 1, which tell of numbers that are not whole.
+# Remainders modulo 1, a sign of numbers that are not whole.
 _BY_ONE = re.compile(rf"(?:{'|'.join(map(re.escape, modulo.SIGNS))})\{{?1(?!\d)")
 # Things that come in whole numbers only: no turns, revolutions or cycles, and no virtual teeth.
 _THINGS = (
@@ -35,9 +35,9 @@ _ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 
 
 def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
-    r"""Return what is said to count, the letters of n!, of orders, and those up to which sums go.
+    r"""Return the letters `said` to count, and those of factorials, orders and limits of sums.
 
-    The letter n is also found in \sum_{k=1}^{n-1}, in \dots+n^2, alone in \dots+kx_n, and in
+    The letter n is also found in \sum_{k=1}^{n-1}, in \dots+n^2, in the index of \dots+kx_n, and in
     (-1)^n.
     """
     found = dict.fromkeys(said)
@@ -62,9 +62,10 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
 
 
 def find_counted(text: str, prints: Iterable[str]) -> Iterator[str]:
-    r"""Yield letters of which words say that they count things, N of "N pins", in \cos N\varphi.
+    r"""Yield letters that the text says count things, N of "N pins", and that are in \cos N\varphi.
 
-    Elsewhere it is no matter; nothing is said where a text speaks of negative or virtual ones.
+    Elsewhere it does not matter whether a letter counts. Nothing is yielded for a text that
+    mentions negative or virtual numbers.
     """
     displays = [*prints]
     for match in () if _VIRTUAL.search(text) else _COUNTED.finditer(text):
@@ -75,7 +76,7 @@ def find_counted(text: str, prints: Iterable[str]) -> Iterator[str]:
 
 
 def _letters_of_last(texts: list[str]) -> Iterator[str]:
-    """Yield the letters of a last term, those of its index if it has one."""
+    """Yield the letters of a last term, or of its index if it has one."""
     behind = [*takewhile(lambda sign: sign not in _RELATIONS, texts)]
     inside = list(accumulate(behind, _step_index, initial=False))[1:]
     indices = [sign for sign, is_index in zip(behind, inside, strict=True) if is_index]
@@ -83,12 +84,12 @@ def _letters_of_last(texts: list[str]) -> Iterator[str]:
 
 
 def _step_index(is_inside: bool, sign: str) -> bool:
-    """Return whether an index goes on or begins."""
+    """Return whether the sign is inside an index, or begins one."""
     return sign == "_" or (is_inside and sign != "}")
 
 
 def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
-    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
+    """Yield the letter in front of the sign, or those of a plain sum in brackets there."""
     start = len(texts) - 1
     if texts[-1:] == [")"] and "(" in texts:
         start = len(texts) - texts[::-1].index("(")
@@ -98,7 +99,7 @@ def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
 
 
 def _letters_of_binomial(texts: list[str]) -> Iterator[str]:
-    """Yield the letters that stand alone or in a plain sum in either of two groups of braces."""
+    """Yield the letters that are alone or in a plain sum in either of two groups of braces."""
     for _ in range(2):
         close = texts.index("}") if "}" in texts else 0
         yield from _letters_of_factorial(["(", *texts[1:close], ")"])
@@ -111,7 +112,7 @@ def _letters_of_order(texts: list[str]) -> Iterator[str]:
 
 
 def _letters_of_congruence(texts: list[str]) -> Iterator[str]:
-    """Yield all letters of a print with remainders, unless they are those of turns, or by one."""
+    """Yield all letters of a print with remainders, except remainders of turns or modulo 1."""
     if r"\pi" in texts or _BY_ONE.search("".join(texts)):
         return
     for place, text in enumerate(texts):
@@ -122,7 +123,7 @@ def _letters_of_congruence(texts: list[str]) -> Iterator[str]:
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:
-    """Yield the letters of the lower limit and of the upper one that follows, if plain sums."""
+    """Yield the letters of a lower limit and of the upper one after it, if they are plain sums."""
     low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
     if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
         return

@@ -40,10 +40,10 @@ _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?\{?-?\d\}
 
 
 def declare(block: Block, *, assume: bool = False) -> Symbols:
-    """Make symbols of the letters of a block; `ValueError` for what is said of them twice.
+    """Return the symbols of a block's letters, recording contradictory statements as its faults.
 
-    With `assume` SymPy is told which are positive: of these no equation of the paper may say what
-    they are.
+    With `assume`, SymPy is told which letters are positive; then no equation of the paper may
+    define those.
     """
     letters, unknown = _leave_units(_add_running(_name_values(block.letters)))
     variables: list[Variable] = []
@@ -114,7 +114,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
 def _leave_units(
     letters: Sequence[Declared],
 ) -> tuple[list[Declared], list[tuple[Place | None, str]]]:
-    """Return letters without units that are not known, and these."""
+    """Return the letters with unknown units removed, and the faults that report these."""
     found, faults = [], []
     for letter in letters:
         try:
@@ -127,7 +127,7 @@ def _leave_units(
 
 
 def _name_values(letters: Sequence[Declared]) -> list[Declared]:
-    r"""Let a letter that depends, with another argument, be one of its own: \dot x(t_1)."""
+    r"""Make a dependent letter with another argument a letter of its own: \dot x(t_1)."""
     known: dict[str, str] = {}
     found = []
     for letter in letters:
@@ -141,7 +141,7 @@ def _name_values(letters: Sequence[Declared]) -> list[Declared]:
 
 
 def _find_function(latex: str) -> Callable[..., sp.Expr]:
-    """Return the function that is printed so."""
+    """Return the function with a printed name; raises `ValueError` if it is unknown."""
     name = latex.strip().removeprefix("\\")
     if name not in FUNCTIONS:
         raise ValueError(f"function: {latex} is none of the functions that are read")
@@ -149,9 +149,9 @@ def _find_function(latex: str) -> Callable[..., sp.Expr]:
 
 
 def _add_running(letters: Sequence[Declared]) -> list[Declared]:
-    """Add the letters by which others are differentiated, where they are not declared: t.
+    """Add undeclared letters by which others are differentiated, such as t.
 
-    Those that are declared are named as they are declared, t_{2} where it is t_2.
+    Declared ones are given the name of their declaration, t_{2} for t_2.
     """
     known = {name_symbol(name): name for x in letters if not x.is_family for name in x.names}
     letters = [replace(x, running=known.get(name_symbol(x.running), x.running)) for x in letters]
@@ -160,7 +160,7 @@ def _add_running(letters: Sequence[Declared]) -> list[Declared]:
 
 
 def _list_units(letter: Declared, letters: Sequence[Declared]) -> list[Unit]:
-    """Return the units of a letter and of its derivatives; what is not declared counts as 1."""
+    """Return the units of a letter and of its derivatives; undeclared units count as 1."""
     by = next((x.unit for x in letters if letter.running in x.names), None)
     unit, step = (ONE if text is None else read_unit(text) for text in (letter.unit, by))
     return [unit / step**order for order in (0, *ORDERS)]
@@ -203,9 +203,9 @@ def _make(
 def _find_phases(
     variables: Sequence[Variable], running: Collection[sp.Basic], bare: Collection[sp.Basic]
 ) -> Iterator[tuple[sp.Basic, sp.Basic]]:
-    r"""Yield letters that a phase has side by side: \omega t, whose units make a number, N\varphi.
+    r"""Yield pairs of adjacent letters that form a phase: \omega t by their units, or N\varphi.
 
-    N counts or is a number; what begins a phase may have it, or pi, before it.
+    N counts or is a number; the first letter of a phase may itself follow N or pi.
     """
     known = [v for v in variables if v.symbol not in bare]
     units = [v for v in known if v.dimension != NUMBER]
@@ -223,9 +223,9 @@ def _find_phases(
 
 
 def add_shown(symbols: Symbols, prints: Sequence[str]) -> Symbols:
-    r"""Return the symbols with what prints show: letters that have brackets behind them everywhere.
+    r"""Return the symbols with what prints show: letters that always have a bracket after them.
 
-    And phases of letters without units, \cos\Omega t.
+    Phases of letters without units, \cos\Omega t, are added as well.
     """
     names = {name_symbol(name): v.symbol for v in symbols.variables for name in v.latex}
     prints = [text for text in prints if _has_signs(text)]
@@ -241,14 +241,14 @@ def add_shown(symbols: Symbols, prints: Sequence[str]) -> Symbols:
 
 
 def _has_signs(text: str) -> bool:
-    """Tell whether a print is made of signs: rows say of the others what they are not."""
+    """Return whether a print can be split into signs; rows report the others."""
     with suppress(ReadingError):
         return bool(list_signs(text))
     return False
 
 
 def _say(symbols: Symbols, block: Block) -> Symbols:
-    """Add what is said of the letters: relations, sizes, where integrals start."""
+    """Add what the block says of the letters: relations, sizes, where integrals start."""
     reader = symbols.reader()
     said = [condition for letter in block.letters for condition in letter.conditions]
     variables, where = symbols.variables, list[sp.Basic]()
@@ -272,7 +272,7 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
 def _read_sizes(
     text: str, variables: Sequence[Variable], reader: Reader, block: Block
 ) -> dict[sp.Basic, sp.Expr]:
-    """Read the size of a letter, in its unit."""
+    """Read the sizes of letters, converted to their declared units."""
     unit = _UNITS.search(text)
     sizes = {}
     for relation in read_relations(text[: unit.start()] if unit else text, reader):
@@ -285,7 +285,7 @@ def _read_sizes(
 
 
 def _convert(text: str, printed: str, names: Sequence[str], block: Block) -> sp.Expr:
-    """Return what the unit of a size is in that of its letter; refuse one of another dimension."""
+    """Return a printed unit in the unit of the letter; raises `ValueError` if they do not match."""
     declared = next((x.unit for x in block.letters if {*x.names} & {*names}), None)
     own, unit = read_unit(declared or ""), read_unit(printed)
     factor = unit.scale / own.scale

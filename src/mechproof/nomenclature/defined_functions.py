@@ -1,4 +1,4 @@
-r"""Functions that prints define, f(x)=x^2: their letters have brackets wherever they stand."""
+"""Functions that prints define, f(x)=x^2: letters with a bracket wherever they appear."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from mechproof.latex.latex_signs import find_close, measure_depths
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import list_letters, skip_power
 
-# Signs behind a letter that depends on time: none, (t) or (0).
+# Brackets after a letter that depends on time: none, (t) or (0).
 _OF_TIME = {"", "(t", "(0"}
 
 
 def find_bracketed(prints: Iterable[str]) -> frozenset[str]:
-    """Return the letters that have a round bracket behind them wherever they stand."""
+    """Return the letters that have a round bracket after them wherever they appear."""
     return frozenset(letter for letter, found in _list_brackets(prints).items() if "" not in found)
 
 
 def _list_brackets(prints: Iterable[str]) -> dict[str, set[str]]:
-    """Return the round brackets behind letters as they are printed, "" for none."""
+    """Return each letter with the round brackets printed after it, "" for none."""
     behind: dict[str, set[str]] = defaultdict(set)
     for texts in _read_signs(prints):
         for letter, end in list_letters(texts):
@@ -33,10 +33,10 @@ def _list_brackets(prints: Iterable[str]) -> dict[str, set[str]]:
 
 
 def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the functions that equations begin with and define, and their arguments.
+    """Yield the functions that equations define at their beginning, and their arguments.
 
-    Each argument is a letter; one at least stands behind the sign of equality, too. A letter
-    without a bracket is its function of time, x for x(t).
+    Each argument is a letter; at least one appears on the right of the equals sign, too. A letter
+    without a bracket counts as its function of time, x for x(t).
     """
     brackets = _list_brackets(prints)
     bracketed = {letter for letter, found in brackets.items() if "" not in found}
@@ -60,7 +60,7 @@ def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 
 def _cut(prints: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
-    """Yield what stands between commas outside brackets."""
+    """Yield the parts of prints between commas outside brackets."""
     for texts in prints:
         ends = [
             place

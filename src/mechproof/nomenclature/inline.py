@@ -1,6 +1,6 @@
-"""Equations within sentences that a draft proposes: sizes of letters, and what these stand for.
+"""Equations within sentences that a draft proposes: sizes of letters, and what they stand for.
 
-And quantities that sentences say without a letter: "a bolt with an area of 157 mm²".
+Also the quantities that sentences state without a letter: "a bolt with an area of 157 mm²".
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ EQUATION = re.compile(
 # A multiple of a letter.
 _MULTIPLE = re.compile(r"(?P<number>\d+)\s*(?P<letter>\\?[A-Za-z].*)")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
-# A letter of which a sentence says what it depends on: M(x).
+# A letter with the letter that a sentence says it depends on: M(x).
 CALL = re.compile(r"(?P<stem>.+?)\s*\(\s*(?P<by>\\?[A-Za-z]+)\s*\)")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
-# Words before something that holds in one case; "at" before the value of a speed is none.
+# Words in front of something that holds in one case; "at" in front of a speed's value is not one.
 _CASE = re.compile(
     r"\b(?:(?:when(?:ever)?|if|once|until|at|for)\s+"
     r"|(?:at|with|under|assuming)\s+(?:(?:the|an?)\s+)?[a-z]+(?:\s+[a-z]+)?,\s+)\Z",
     re.IGNORECASE,
 )
-# Words of a sentence that defines no letter: it denies, assumes, solves or tells of a position.
+# Words of a sentence that defines no letter: it denies, assumes, solves or mentions a position.
 _NO_DEFINITION = re.compile(
     r"\b(?:not|never|nor|unless|instead|rather|wrong\w*|special|case|small|approximat\w+|initial\w*"
     r"|instant|moment|optim\w+|extrem\w+|maxim\w+|minim\w+|largest|smallest|greatest|least|stationary"
@@ -56,7 +56,7 @@ _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+
 _BEFORE = 70
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
-# What stands between equations of one display.
+# What separates the equations of one display.
 _PARTS = re.compile(r"\\q?quad(?![A-Za-z])|(?<![_{])\\(?:text|mbox)\s*\{[^{}]*\}")
 _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
@@ -64,17 +64,17 @@ _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
 _SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
 _BEHIND = 30
-# Where the unit behind a number may end; not behind the word "in", which is no inch.
+# Where the unit after a number may end; not after the word "in", which is not an inch.
 _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
 
 @dataclass(frozen=True)
 class Inline:
-    """What a sentence says of a letter, the line where, and whether words tell of a case.
+    """What a sentence says of a letter, in which line, and whether it concerns a special case.
 
-    `is_varying` tells that they speak of a change; `end` is the place in the text behind it,
-    `offset` where it stands in the files; `others` are further members of a chain, `by` what the
-    letter is said to depend on.
+    `is_varying` marks sentences about a change; `end` is the place after it in the text, `offset`
+    its place in the files; `others` are further members of a chain, `by` is the letter that it is
+    said to depend on.
     """
 
     letter: str
@@ -90,7 +90,7 @@ class Inline:
     by: str = ""
 
     def write_size(self, unit: str) -> str:
-        """Return the size in a unit, nothing for one of another dimension."""
+        """Return the size in a unit, "" if its dimension differs."""
         assert self.number is not None
         own, meant = self.number.unit or ONE, read_unit(unit)
         if own.dimension != meant.dimension:
@@ -101,7 +101,7 @@ class Inline:
 
 
 def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
-    """Yield what sentences say that a letter of the equations is."""
+    """Yield the values that sentences give to letters of the equations."""
     names = {name_symbol(letter): letter for letter in letters}
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     macros = {defined.name: defined.macro for defined in find_macros(source.text)[0]}
@@ -134,19 +134,19 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
 
 
 def defines_nothing(before: str) -> bool:
-    """Return whether the words before an equation tell that it defines no letter."""
+    """Return whether the words in front of an equation show that it defines no letter."""
     return bool(_NO_DEFINITION.search(before)) and not _DEFINING.search(before)
 
 
 def _find_unit_behind(text: str) -> tuple[str, Unit]:
-    """Return the longest print of a unit with which a text begins, nothing if with none."""
+    """Return the longest print of a unit that begins a text, and the unit; ("", ONE) if none."""
     ends = [end.start() for end in _ENDS.finditer(text)]
     units = ((text[:end], find_unit(text[:end])) for end in reversed(ends))
     return next(((printed, unit) for printed, unit in units if unit), ("", ONE))
 
 
 def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
-    """Return a number and its unit, which may stand `behind`; none for what is no number."""
+    """Return a number and its unit, which may follow it as `behind`; (None, "") if none."""
     plain = _UPRIGHT.sub(r"\\mathrm{\1}", value)
     plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], plain)
     if behind and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
@@ -157,7 +157,7 @@ def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
 
 
 def find_printed_units(displays: Iterable[Printed]) -> Iterator[tuple[str, str, int]]:
-    """Yield letters that displays begin with, the unit of their number, and where it stands."""
+    """Yield letters that begin displays, the unit of their number, and its place."""
     for printed in displays:
         for part in _PARTS.split(printed.latex.string):
             letter, *members = _SIGNS.split(part)
@@ -167,7 +167,7 @@ def find_printed_units(displays: Iterable[Printed]) -> Iterator[tuple[str, str, 
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:
-    r"""Yield other letters and what they stand for if one does: c_\beta as c_\alpha=\cos\alpha."""
+    r"""Yield letters that stand for the like of another's value: c_\beta, c_\alpha=\cos\alpha."""
     own = _INDEXED.fullmatch(one.letter)
     names = {name_symbol(letter) for letter in letters}
     for letter in letters if own and own["index"] in one.value else ():
@@ -179,7 +179,7 @@ def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, 
 
 @dataclass(frozen=True)
 class SaidQuantity:
-    """Digits and their unit, where they stand in the text, and in which line."""
+    """The digits and unit of a number in the text, its place and its line."""
 
     digits: str
     unit: Unit
@@ -189,7 +189,7 @@ class SaidQuantity:
 
 
 def find_quantities(source: Source) -> Iterator[SaidQuantity]:
-    """Yield the numbers with a unit that stand between displays."""
+    """Yield the numbers with a unit outside displays."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _SAID.finditer(text):
         printed, unit = _find_unit_behind(match["behind"])

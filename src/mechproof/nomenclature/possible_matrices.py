@@ -1,4 +1,4 @@
-r"""Letters that are printed as matrices are: [R], R^T, \det R, (I-R)^{-1} beside a factor."""
+r"""Letters printed as matrices usually are: [R], R^T, \det R, (I-R)^{-1} next to a factor."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LEFT, _RIGHT = r"(?:\\left\s*)?", r"(?:\s*\\right)?"
 _OPTION = re.compile(
     r"\\\\\s*\[[^\]]*\]|\\(?:sqrt|smash|x[a-z]+arrow|begin\{[^{}]*\})\s*\[[^\]]*\]"
 )
-# With limits behind it, the bracket is the value of an integral between them.
+# With limits after it, the bracket is the value of an integral between them.
 _BRACKETED = rf"\[\s*{_LETTER}{_RIGHT}\s*\](?!\s*_)"
 _SURE_T = (
     r"\{?\s*\\(?:(?:top|intercal)(?![A-Za-z])|(?:math|text)?(?:rm|sf)\s*\{?\s*T|text\s*\{\s*T)"
@@ -31,7 +31,7 @@ _GROUP = (
     r"S[OE]\s*\([^()]*\)|\\(?:mathrm|text|operatorname)\s*\{\s*S[OE]\s*\}|"
     r"\\mathbb\s*\{?\s*[RC]\s*\}?\s*\^"
 )
-# A letter within a word is no letter of a command.
+# Letters before it in a word; letters of a command do not count.
 _WITHIN = r"(?<![A-Za-z\\])[A-Za-z]*?"
 _SIGNS = (
     rf"(?P<shown>{_BRACKETED})",
@@ -57,7 +57,7 @@ _UNIT = re.compile(r"(?<![A-Za-z_{])[IE1](?![A-Za-z_\d])")
 def find_possible_matrices(
     letters: Collection[str], prints: Iterable[str]
 ) -> Iterator[tuple[str, str]]:
-    """Yield the names of letters that are printed as matrices are, each with such a print."""
+    """Yield the names of letters that are printed as matrices usually are, with such a print."""
     names = {*map(name_symbol, letters)}
     # If T is a letter of the paper, it may be an exponent.
     signs = _SIGNS if "T" in names else (*_SIGNS, _TRANSPOSED)

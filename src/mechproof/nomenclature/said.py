@@ -1,4 +1,4 @@
-r"""What the words of a paper say of its letters: their meaning, unit and size, matched by layout.
+"""What the text of a paper says of its letters: meaning, unit and size, matched by layout.
 
 A sentence ("$r$ is the radius"), an item of a list that begins or ends with a letter, the first
 columns of a table. Words are matched, not understood.
@@ -20,7 +20,7 @@ _UNIT = (
     r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)"
     r"|,?\s+in\s+(rad|deg|rpm|[kMmc]?(?:m|g|N|Nm|Pa|W|Hz|s))\b))?"
 )
-# A unit directly behind letters: "a mass $m$ in kg", "the force $F$ [N]".
+# A unit right after letters: "a mass $m$ in kg", "the force $F$ [N]".
 _MULTIPLE = r"(?:rad|deg|°|rpm|[kMmcµ]?(?:m|g|N|Nm|Pa|W|J|Hz|s)|min)(?:\^?\{?-?[1-3]\}?)?"
 _SAID_UNIT = rf"{_MULTIPLE}(?:\s*[/·]\s*{_MULTIPLE}){{0,2}}(?![\w/^])"
 _BESIDE = re.compile(
@@ -30,19 +30,19 @@ _BESIDE = re.compile(
 )
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _ARTICLE = r"(?:the\s+|an?\s+)?"
-# An "and" that ends a meaning, as it does not in "of the rear and front wheel".
+# An "and" that ends a meaning, unlike that of "the rear and front wheel".
 _AND = (
     r"\s+and\s(?!(?!the\b|an?\b|it|we\b|they\b|th[ai]|has\b|is\b)"
     r"(?:[a-z-]+[ ]){0,2}[a-z-]+\s*[.,;:(])"
 )
-# A list of letters whose meanings stand together; these may hold commas, which do not end them.
+# A list of letters with a common list of meanings; commas do not end these.
 _NAMES = (
     r"(?P<name>(?:\$[^$&|\n]{1,30}\$\s*(?:,\s*(?:and\s+)?|and\s+)){1,6}\$[^$&|\n]{1,30}\$"
     r"|\$(?:(?:[^$&|\n{},]|\{[^{}$]*\}){1,30},){1,6}[^$&|\n]{1,30}\$)"
 )
 _BEHIND = r"(?=[.;:(\n\\$]|,[^.,;:\n]*\$|,\s+(?:wh|so|with|but)|\s+and\s[^.,;:\n]{0,30}\$)"
 _BULLET = r"^[ \t]*(?:[-*+]|\\item|\d+\.)[ \t]+"
-# A noun right before its letters: "the crank radius $r$", "a rod of length $l$ and mass $m$".
+# A noun right in front of its letters: "the crank radius $r$", "a rod of length $l$ and mass $m$".
 _NO_NAME = (
     r"(?:the|an?|of|with|and|or|for|from|by|at|to|in|on|as|is|are|be|has|have|that|this|these|those"
     r"|its|their|which|where|when|if|then|thus|hence|let|all|any|every|each|both|some|no|small|large"
@@ -110,7 +110,7 @@ _PATTERNS = (
         re.MULTILINE,
     ),
 )
-# Words that begin a meaning, or are all of it, and tell what is done with a letter, not what it is.
+# Words that begin a meaning, or are all of it, and say what is done with a letter, not what it is.
 _NO_NOUN = re.compile(
     r"(?:defined|given|called|denoted|obtained|chosen|equal|shown|known|found|used|assumed|said|taken"
     r"|determined|computed|calculated|expressed|proportional|independent|related|less|greater|smaller"
@@ -136,7 +136,7 @@ _NUMBER = re.compile(r"circ|constant|number|approx|irrational|3[.,]1", re.IGNORE
 
 @dataclass(frozen=True)
 class Said:
-    """What words say of a letter, and the line where."""
+    """What the text says of a letter, and in which line."""
 
     meaning: str
     unit: str
@@ -144,7 +144,7 @@ class Said:
 
 
 def find_said(source: Source) -> Iterator[tuple[str, Said]]:
-    """Yield letters with what is said of them last, so that the first of a table wins."""
+    """Yield letters with their meanings; of several meanings of a letter, the last one counts."""
     string = _write_inline(source)
     for pattern in _PATTERNS:
         for match in reversed(list(pattern.finditer(string))):
@@ -159,15 +159,15 @@ def find_said(source: Source) -> Iterator[tuple[str, Said]]:
 
 
 def _write_inline(source: Source) -> str:
-    """Return a text, as long as it is, with dollars around letters, and sentences in one line."""
+    """Return a text of the same length with dollars around letters, and sentences on one line."""
     string = _INLINE.sub(lambda match: " $" if match[1] == "(" else "$ ", source.text.string)
     return _WRAPPED.sub(" ", string)
 
 
 def find_units(source: Source) -> Iterator[tuple[str, str, int]]:
-    """Yield letters in sentences with the unit printed behind them, and where they stand.
+    """Yield letters in sentences with the unit printed after them, and their places.
 
-    A unit that is said, "in mm", is that of all letters of a list, one in brackets of the last.
+    A unit in words, "in mm", applies to all letters of a list, one in brackets to the last only.
     """
     for match in _BESIDE.finditer(_write_inline(source)):
         said = next(filter(None, match.group("square", "round", "plain")))
@@ -181,13 +181,13 @@ def find_units(source: Source) -> Iterator[tuple[str, str, int]]:
 
 
 def find_pi(said: Mapping[str, Said]) -> Said | None:
-    r"""Return what words say of a letter \pi; nothing where they say it of the number."""
+    r"""Return what the text says of a letter \pi; None if it is about the number."""
     found = said.get("pi")
     return None if found is None or _NUMBER.search(found.meaning) else found
 
 
 def _share(text: str, count: int) -> list[str]:
-    """Return what is said of each of so many letters: "radius and length, respectively"."""
+    """Return the meaning of each of `count` letters: "radius and length, respectively"."""
     meaning = " ".join(_EMPHASIS.sub("", text).split()).strip(" ~*_")
     items = _ITEMS.split(_RESPECTIVELY.sub("", meaning))
     is_shared = len(items) != count or not _RESPECTIVELY.search(meaning)

@@ -1,4 +1,4 @@
-"""Relations that are said of letters: read, and put into the sets of their letters."""
+"""Relations stated for letters: read, and made part of the sets of their letters."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mechproof.record.relations import solve
 
 
 def read_relations(text: str, reader: Reader) -> list[sp.Basic]:
-    """Return the relations of a print; `ValueError` for one that has none."""
+    """Return the relations of a print; raises `ValueError` if it has none."""
     read = reader.parse(text)
     if not all(chain.relations for chain in read.chains):
         raise ValueError(f"{text}: it has no relation sign")
@@ -24,9 +24,9 @@ def read_relations(text: str, reader: Reader) -> list[sp.Basic]:
 def narrow(
     variables: Sequence[Variable], relations: Sequence[sp.Basic]
 ) -> tuple[tuple[Variable, ...], tuple[sp.Basic, ...]]:
-    """Put relations of one letter into its set; the others stay relations.
+    """Intersect the sets of letters with relations in one letter; return the other relations, too.
 
-    Raises `ValueError` for what nothing meets, and for an equation, which says a value.
+    Raises `ValueError` if nothing satisfies them, and for an equation, which gives a value.
     """
     sets = {v.symbol: v.within for v in variables if v.given is None}
     where = []
@@ -47,7 +47,7 @@ def narrow(
 
 
 def _advise(equation: sp.Equality) -> str:
-    """Return what to write for an equation that is said to be a condition."""
+    """Return the advice for an equation that is given as a condition."""
     said = f"{equation.lhs}={equation.rhs}".replace("**", "^")
     if equation.lhs.is_Symbol:
         return f"{said} is a value, no condition: say let {said}"
@@ -58,7 +58,10 @@ def _advise(equation: sp.Equality) -> str:
 
 
 def _split(relation: sp.Basic) -> list[sp.Basic]:
-    """Return a relation, and before it what it says of a number whose absolute value is less."""
+    """Return a relation, with |x|<a turned into x<a and -x<a.
+
+    The relation with the absolute value is kept as well if it has several letters.
+    """
     smaller = getattr(relation, "lts", None)
     if not isinstance(smaller, sp.Abs) or relation.gts.has(sp.Abs):
         return [relation]
@@ -69,9 +72,9 @@ def _split(relation: sp.Basic) -> list[sp.Basic]:
 
 
 def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
-    """Return the set that a relation between fractions of polynomials says, None for any other.
+    """Return the solution set of a relation between rational functions, None for any other.
 
-    What SymPy solves of other functions is not trusted.
+    SymPy's solutions for other functions are not trusted.
     """
     is_rational = all(side.is_rational_function(symbol) for side in relation.args)
     return solve(relation, symbol) if is_rational else None

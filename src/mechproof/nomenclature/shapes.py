@@ -1,8 +1,8 @@
-r"""Sizes of vectors and matrices that follow from how a paper adds, multiplies and prints them.
+"""Sizes of vectors and matrices that follow from how a paper adds, multiplies and prints them.
 
-What is told by no table, sum, product or cross product stays open, and so does a factor that may
-be a number or a square matrix; `[R]` with one letter in it is a matrix, of a vector the matrix of
-its cross product.
+A size that no table, sum, product or cross product determines stays open, as does a factor that may
+be a number or a square matrix. `[R]` around a single letter is a matrix; around a vector it is the
+matrix of its cross product.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def _is_vector(node: tree.Node) -> bool:
 
 
 def _is_outer(one: tree.Node, other: tree.Node) -> bool:
-    """Return whether a product is that of a vector and itself transposed."""
+    """Return whether a product is that of a vector and its own transpose."""
     of = other.of if isinstance(other, tree.Transposed) else None
     if isinstance(other, tree.Power) and getattr(other.exponent, "text", "") == "T":
         of = other.base
@@ -42,7 +42,7 @@ def _is_outer(one: tree.Node, other: tree.Node) -> bool:
 
 
 def _is_bold_capital(node: tree.Node) -> bool:
-    """Return whether a factor is a letter that is no number: a matrix, if it is not a vector."""
+    """Return whether a factor is a bold capital: a matrix, unless it is a vector."""
     inside = node.of if isinstance(node, tree.Transposed) else node
     return isinstance(inside, tree.Letter) and bool(_BOLD_CAPITAL.match(inside.text))
 
@@ -50,19 +50,19 @@ def _is_bold_capital(node: tree.Node) -> bool:
 NUMBER, COLUMN, CROSS = (1, 1), (3, 1), (3, 3)
 _NUMBERS = (tree.Number, tree.Constant, tree.Radical)
 _BOLD_CAPITAL = re.compile(r"\\(?:mathbf|bm)\{[A-Z]\}")
-# Scripts at the left for two frames, and the letter behind them.
+# Left scripts for two frames, and the letter after them.
 _CHANGES_FRAME = re.compile(r"\{\}\^\{[^{}]*\}_\{[^{}]*\}(.*)\Z")
 # The prefix of the name of a rate.
 _RATE = re.compile(r"\Ad*dot")
-# A table with more rows or columns is not taken to be made of blocks.
+# A table with more rows or columns than this is not taken to be made of blocks.
 _BLOCKS = 2
 
 
 class Shapes:
     """The shapes of letters, by their symbols.
 
-    `crosses` are the vectors that stand in square brackets for the matrix of their cross product,
-    `unclear` are letters of several shapes.
+    `crosses` are the vectors whose square bracket means the matrix of their cross product,
+    `unclear` are letters for which different shapes follow.
     """
 
     def __init__(
@@ -87,11 +87,11 @@ class Shapes:
             yield from tree.walk(tuple(chains))
 
     def find(self) -> dict[sp.Basic, Shape]:
-        """Return the shapes of the letters that are no numbers."""
+        """Return the shapes of the letters that are not numbers."""
         before: list[int] = []
         while before != (after := [len(self.known), len(self.crosses), len(self.unclear)]):
             if before and before[-1] != after[-1]:
-                # Nothing may be concluded from a letter with several shapes.
+                # Nothing can be concluded from a letter with several shapes.
                 self.known.clear()
                 self.crosses.clear()
             before = after
@@ -102,7 +102,7 @@ class Shapes:
         return {symbol: shape for symbol, shape in self.known.items() if shape != NUMBER}
 
     def _look(self, node: tree.Node) -> None:
-        """Take what one node says."""
+        """Draw conclusions from a single node."""
         if isinstance(node, tree.Chain) and {*node.relations} <= {"="}:
             # A zero may stand for a matrix of any size.
             members = [
@@ -129,7 +129,7 @@ class Shapes:
                 self._push(entry, NUMBER)
 
     def _look_at_frames(self, factors: Sequence[tree.Node]) -> None:
-        """Take what changes the frame of a vector as a square matrix."""
+        """Conclude that a letter that changes the frame of a vector is a square matrix."""
         for one, other in pairwise(factors):
             shape = self.measure(other)
             is_column = shape is not None and shape[1] == 1 != shape[0]
@@ -142,7 +142,7 @@ class Shapes:
                 self._push(one, (shape[0], shape[0]))
 
     def _take_components(self, members: Sequence[tree.Node]) -> None:
-        """Take the components in a bracket for those of the vectors beside it."""
+        """Give vectors equated with a bracket the number of its components."""
         brackets = (x.of if isinstance(x, tree.Transposed) else x for x in members)
         lists = [x.parts for x in brackets if isinstance(x, tree.Entries)]
         for parts in lists:
@@ -151,7 +151,7 @@ class Shapes:
                     self._push(member, (len(parts), 1))
 
     def _take_determinant(self, members: Sequence[tree.Node]) -> None:
-        """Take bars around a letter beside a printed determinant for its own."""
+        """Give a letter in bars, equated with a printed determinant, the size of its table."""
         calls = (x.arguments[0] for x in members if isinstance(x, tree.Call) and x.arguments)
         for table in (x for x in calls if isinstance(x, tree.Table)):
             for member in members:
@@ -159,20 +159,20 @@ class Shapes:
                     self._push(member.inside, (len(table.rows), len(table.rows[0])))
 
     def _is_matrix(self, node: tree.Node) -> bool:
-        """Return whether a letter stands alone in square brackets."""
+        """Return whether a node is a single letter in square brackets."""
         if not (isinstance(node, tree.Bracket) and isinstance(node.inside, tree.Letter)):
             return False
         return self._latex[node.start : node.end].removeprefix(r"\left").strip().startswith("[")
 
     def _is_cross(self, node: tree.Product) -> bool:
-        """Return whether a cross stands between two vectors, not numbers or matrices."""
+        """Return whether a product is the cross product of two factors that can be vectors."""
         is_open = all(
             self.measure(x) in (None, COLUMN) and not self._is_matrix(x) for x in node.factors
         )
         return self._shows_matrices and node.signs == (r"\times",) and is_open
 
     def measure(self, node: tree.Node) -> Shape | None:
-        """Return the shape of a part, None if it is not known."""
+        """Return the shape of a node, None if it is unknown."""
         if isinstance(node, tree.Letter):
             known = self.known.get(node.symbol) or self._find_other_frame(node)
             is_plain = not self._has_plain_matrices and not is_vector(node.text)
@@ -209,7 +209,7 @@ class Shapes:
         return self.frames.get(own[1]) if own else None
 
     def _measure_blocks(self, table: tree.Table) -> tuple[list[int], list[int]]:
-        """Return the heights of the rows and the widths of the columns; none where one is open."""
+        """Return the heights of the rows and the widths of the columns, empty if one is open."""
         shapes = [[self.measure(entry) for entry in row] for row in table.rows]
         is_large = max(len(table.rows), len(table.rows[0])) > _BLOCKS
         if is_large or all(one == NUMBER for row in shapes for one in row):
@@ -230,7 +230,7 @@ class Shapes:
         return (first[0], last[1]) if None not in shapes and first and last else None
 
     def _push(self, node: tree.Node, shape: Shape) -> None:
-        """Take the shape of a part for its letters."""
+        """Pass the shape of a node on to its letters."""
         if isinstance(node, tree.Letter) and not isinstance(node.symbol, sp.IndexedBase):
             is_clear = self.known.get(node.symbol, shape) == shape
             if node.symbol not in self.unclear and is_clear:
@@ -260,7 +260,7 @@ class Shapes:
             self._solve(node, shape)
 
     def _solve(self, node: tree.Product, shape: Shape) -> None:
-        """Take the shape of the one factor of a product that is not known."""
+        """Conclude the shape of the only unknown factor of a product."""
         shapes = list(map(self.measure, node.factors))
         if shape == NUMBER or self._is_cross(node):
             return
@@ -269,7 +269,7 @@ class Shapes:
                 self._push(one, (shape[0], 1))
                 return
         if shapes.count(None) > 1:
-            # Beside a vector, unknown letters are taken to be numbers.
+            # Next to a vector, unknown letters are taken to be numbers.
             shapes = [
                 NUMBER if one is None and not _is_vector(x) else one
                 for x, one in zip(node.factors, shapes, strict=True)
@@ -293,9 +293,9 @@ class Shapes:
 
 @dataclass(frozen=True)
 class MatrixSizes:
-    """The sizes of letters, by their names; which stand in brackets, and which have several.
+    """The sizes of letters by their names, and letters with contradictory sizes (`unclear`).
 
-    `crosses` are the vectors that stand in brackets for the matrix of their cross product.
+    `crosses` are the vectors whose bracket means the matrix of their cross product.
     """
 
     known: dict[str, Shape]
@@ -306,10 +306,10 @@ class MatrixSizes:
 def find_sizes(
     prints: Sequence[str], collected: Collected, *, has_plain_matrices: bool = True
 ) -> MatrixSizes:
-    """Return the sizes of letters; with these more is read, which may tell others.
+    """Return the sizes of letters; reading repeats with them, as they may determine others.
 
-    Unless it `has_plain_matrices`, a letter is a number where neither its print nor a table of
-    entries says otherwise.
+    Unless it `has_plain_matrices`, a letter is a number if neither its print nor a table of entries
+    says otherwise.
     """
     letters = [*collected.letters, *collected.guessed]
     found = dict(find_shapes(prints))

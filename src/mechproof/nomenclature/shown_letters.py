@@ -1,4 +1,4 @@
-"""Letters that prints show: which there are, which are one, which look like matrices."""
+"""Letters that prints show: which there are, which are the same, which look like matrices."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
 # A bracket, and contents that are arguments: one letter, or several parts.
 _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
-# A power of e that is not the square, say, of a length e.
+# A power of e other than a number, which may be a power of a length e.
 _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
-# Signs behind the first value of an index.
+# Signs after the first value of an index.
 _RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
-# Prints that show that such a letter is no quantity.
+# Prints that show that such a letter is not a quantity.
 _NO_LETTER = {
     "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
@@ -62,19 +62,19 @@ _NO_LETTER = {
 }
 # Letters that mostly run through families.
 INDICES = "ijklmn"
-# Signs of an increment where they stand alone, and so are letters.
+# Signs of an increment where they are alone, and so are letters.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
     for sign in (r"\delta", r"\Delta")
 }
-# The letter T, but not the sign of a transpose, or a letter with an index.
+# The letter T, except as a sign of transposition or with an index.
 _PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z]|\s*_)")
 # The prefix of the print of a rate.
 _RATE = re.compile(r"\A\\d*dot\{")
 _MATRIX = re.compile(
     r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
     r"\\begin\{(?P<kind>[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{(?P=kind)\}"
-    # With a factor behind it, its shape is not that of the letter.
+    # With a factor after it, its shape is not that of the letter.
     r"\s*(?:\\right\s*[\])]\s*)?(?=\Z|[=+,;.&-]|\\(?:q?quad|text|end|\\|[,;]))",
     re.DOTALL,
 )
@@ -94,17 +94,17 @@ _WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{([^{}]*)\}")
 
 
 def name_symbol(latex: str) -> str:
-    """Return a name by which prints of one letter are known to be one: without braces."""
+    """Return the name of a letter, the same for all its prints: without braces."""
     return strip_braces(latex).replace("*", "star")
 
 
 def show_letter(latex: str) -> str:
-    """Return how answers show a letter: as it is printed, its star in braces."""
+    """Return a letter as answers show it: as printed, with a star in braces."""
     return " ".join(latex.replace("^*", "^{*}").split())
 
 
 def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
-    r"""Return letters with those that print alike, \dot{x}_1 and \dot{x_1}, as one."""
+    r"""Return letters grouped by those that print alike, \dot{x}_1 and \dot{x_1}."""
     groups: dict[str, dict[str, None]] = {}
     for letter in letters:
         groups.setdefault(name_symbol(letter), {})[letter] = None
@@ -113,11 +113,11 @@ def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
 
 @dataclass(frozen=True)
 class Collected:
-    """Letters that are not declared, those before a bracket, functions with the power -1.
+    """Undeclared letters, letters in front of a bracket, and functions with the power -1.
 
-    `guessed` are letters that the reader asks for, whole prints as f(x) among them; `families` are
-    those of which members stand in sums, `a_i` of `a`, `d_{bi}` of `d_{b#}`. What could not be read
-    is keyed by its print, with the refusal.
+    `guessed` are letters that the reader asks for, including whole prints such as f(x); `families`
+    are those with members in sums, `a` for `a_i`, `d_{b#}` for `d_{bi}`. `unread` maps a print that
+    could not be read to the refusal.
     """
 
     letters: list[str]
@@ -132,9 +132,9 @@ class Collected:
 def collect_letters(
     printed: Iterable[str], *, guess: bool = False, imaginary: str = "", said: Collection[str] = ()
 ) -> Collected:
-    """Collect the letters of prints; with `guess` those, too, that the reader would ask for.
+    """Return the letters of prints; with `guess`, also those that the reader would ask for.
 
-    `imaginary` is the letter of the imaginary unit; `said` are letters that words explain.
+    `imaginary` is the letter of the imaginary unit; `said` are letters that the text explains.
     """
     prints = list(printed)
     displays: list[list[str]] = []
@@ -146,7 +146,7 @@ def collect_letters(
         if isinstance(found, ReadingError):
             unread[latex] = found
             named = _NAMES.search(found.remedy)
-            # A letter beside one that may be no letter is still asked for.
+            # A letter next to one that may not be a letter is still asked for.
             beside = [named[1]] if guess and named and named[1] in _NO_LETTER else []
             found = _collect_from(latex, guesses, beside) if beside else []
         if not isinstance(found, ReadingError):
@@ -163,10 +163,10 @@ def collect_letters(
 
 
 def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
-    """Return families, and what their members are printed like, as a pattern without braces.
+    """Return families, each with a pattern without braces that matches the prints of its members.
 
-    The index of a family runs through a sum somewhere. F_k = m_k a has members of families, too, if
-    it has one whose index runs so.
+    The index of a family runs through a sum somewhere. In F_k = m_k a, all are members of families
+    if one of them has an index that runs in this way.
     """
     summed = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
     families = dict(summed)
@@ -181,15 +181,15 @@ def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
 
 
 def print_member(family: str, index: str) -> str:
-    """Return how a member of a family is printed."""
+    """Return the print of a member of a family."""
     return family.replace(INDEX, index) if INDEX in family else f"{family}_{{{index}}}"
 
 
 @dataclass
 class _Guesses:
-    """What would mend refusals of the prints `all_prints`; `declares` allows letters, too.
+    """Remedies for refusals of the prints `all_prints`; `declares` permits letters, too.
 
-    Those that are `said` are quantities, whatever else is printed so.
+    Letters that are `said` are quantities, whatever else is printed like them.
     """
 
     all_prints: str
@@ -201,7 +201,7 @@ class _Guesses:
     functions: dict[str, str] = field(default_factory=dict)
 
     def take(self, error: ReadingError) -> bool:
-        """Take what would mend a refusal; return whether there is something new."""
+        """Add what would remedy a refusal; return whether there is anything new."""
         inverse = _INVERSE.search(error.remedy) if self.declares else None
         if inverse and inverse[1] in INVERSES:
             printed = rf"\{inverse[1]}^{{-1}}"
@@ -218,7 +218,7 @@ class _Guesses:
             return _enter(f"{asked[1]}({arguments})", self.letters, None)
         if not named or self._is_taken_up(named[1]):
             return False
-        # Where nothing is declared, such a letter may be taken after all, also with an index.
+        # If nothing is declared, such a letter may be accepted after all, also with an index.
         if not (self.declares or named[1].partition("_")[0] in _NO_LETTER):
             return False
         sign = named[1].partition(" ")[0]
@@ -236,7 +236,7 @@ def make_reader(
     said: Collected | _Guesses,
     sizes: Mapping[str, tuple[int, int]] = MappingProxyType({}),
 ) -> Reader:
-    """Return a reader that knows these letters, their sizes, and what else is guessed of prints."""
+    """Return a reader that knows these letters, their sizes, and the other guesses about prints."""
     symbols = {x: sp.Symbol(x) for x in letters}
     symbols |= {
         x: sp.MatrixSymbol(x, *sizes[name_symbol(x)]) for x in letters if name_symbol(x) in sizes
@@ -261,12 +261,12 @@ def _enter(name: str, names: dict[str, T], value: T) -> bool:
 def _collect_from(
     latex: str, guesses: _Guesses, beside: Sequence[str] = ()
 ) -> list[str] | ReadingError:
-    """Return the letters of a print beside others, or why it cannot be read."""
+    """Return the letters of a print besides known ones, or the error why it cannot be read."""
     while True:
         try:
             found = make_reader([*guesses.letters, *beside], guesses).collect(latex)
             for letter in found:
-                # A name may have scripts that no print has, such as a second index behind a power.
+                # A name may have scripts that no print has, such as a second index after a power.
                 tokenize(letter)
             return found
         except ReadingError as error:
@@ -277,24 +277,24 @@ def _collect_from(
 
 
 def find_arguments(latex: str, place: int) -> str:
-    """Return what stands in a bracket that holds arguments and no factor."""
+    """Return the content of a bracket if it holds arguments rather than a factor, else ""."""
     bracket = _BRACKET.match(latex, place)
     is_list = bracket is not None and _ARGUMENTS.fullmatch(bracket["inner"])
     return bracket["inner"].strip() if bracket and is_list else ""
 
 
 def is_vector(letter: str) -> bool:
-    """Return whether a letter is printed as a vector, or in a frame: it is no number then.
+    """Return whether a letter is printed as a vector, or in a frame, and so is not a number.
 
-    A rate of a vector is one, too.
+    A rate of a vector is a vector, too.
     """
     return _RATE.sub("", letter).startswith((*VECTORS, LEFT))
 
 
 def find_framed(prints: Sequence[str]) -> Iterator[str]:
-    """Yield the matrices between two frames, T_0^1: their superscripts are no powers.
+    """Yield the matrices between two frames, T_0^1, whose superscripts are not powers.
 
-    A matrix with that name is printed, and none of that letter without a superscript.
+    A matrix with that name must be printed, and none of that letter without a superscript.
     """
     found = [match for latex in prints for match in _FRAMED.finditer(latex)]
     tables = {name for name, _ in find_shapes(prints)}
@@ -308,9 +308,9 @@ def find_framed(prints: Sequence[str]) -> Iterator[str]:
 
 
 def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
-    """Yield the letters that are printed to be a matrix, and its numbers of rows and columns.
+    """Yield the letters that are printed equal to a matrix, with its numbers of rows and columns.
 
-    A table with conditions in it lists cases.
+    A table with conditions lists cases and is left out.
     """
     for latex in prints:
         for match in _MATRIX.finditer(_TABLE.sub("", latex)):
@@ -322,7 +322,7 @@ def find_shapes(prints: Iterable[str]) -> Iterator[tuple[str, tuple[int, int]]]:
 
 
 def drop_transposition(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
-    """Return letters without a T that stands above matrices or vectors and nowhere else."""
+    """Return the letters without T if it appears only as a superscript and there are matrices."""
     letters = [*letters]
     has_matrices = any(find_shapes(prints)) or any(map(is_vector, letters))
     is_sign = has_matrices and not any(map(_PLAIN_T.search, prints))

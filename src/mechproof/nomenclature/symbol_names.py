@@ -1,6 +1,7 @@
-r"""What the symbols of letters and of their derivatives are called, and how these are printed.
+r"""Names of the symbols of letters and of their derivatives, and how these are printed.
 
-Letters may be printed two at once, x_{1,2}=a\pm b: what the print is of, and what it ties.
+Two letters may be printed at once, x_{1,2}=a\pm b: which letters are meant, and how they are
+related.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ _STEM = re.compile(
     re.DOTALL,
 )
 
-# A word that is an index, and how it may be set.
+# A word as an index, and the commands that may set it.
 _SET = (
     r"\\(?:mathrm|text|textrm)\s*\{\s*[A-Za-z]{2,}\s*\}|"
     r"\\rm\s+[A-Za-z]{2,}|\\(?:max|min)(?![A-Za-z])"
@@ -50,8 +51,8 @@ _PRINT = re.compile(
 def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> str:
     """Return the name of a letter's symbol: its print, so that answers show it.
 
-    One that is printed as the derivative of another has braces around it: it is another symbol.
-    Modules name symbols without braces.
+    A letter printed as the derivative of another gets braces around its name, as it is another
+    symbol. With `assume`, as modules do, the name has no braces.
     """
     printed = letter.symbol or letter.names[0]
     if assume:
@@ -61,13 +62,13 @@ def name_letter(letter: Declared, rates: Collection[str], *, assume: bool) -> st
 
 
 def list_rates(letter: Declared) -> list[str]:
-    """Return all prints of the derivatives of a letter; it has none if it depends on nothing."""
+    """Return all prints of the derivatives of a letter, none if it depends on nothing."""
     first, by = letter.names[0], letter.running
     return [rate for order in ORDERS for rate in print_rate(first, by, order)] if by else []
 
 
 def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
-    r"""Yield how a derivative is printed: \dot x_1, x', dx/dt."""
+    r"""Yield the prints of a derivative: \dot x_1, x', dx/dt."""
     match = _STEM.match(latex)
     stem, script = (match[1], match[2]) if match else (latex, "")
     power = f"^{{{order}}}" if order > 1 else ""
@@ -85,7 +86,10 @@ def print_rate(latex: str, by: str, order: int) -> Iterator[str]:
 def say_rate(
     letter: Declared, variables: list[Variable], scales: dict[sp.Basic, sp.Expr]
 ) -> sp.Basic:
-    r"""Take what is declared of a derivative, \dot x beside x(t): meaning, unit, names."""
+    r"""Apply the declaration of a derivative, \dot x for x(t): meaning, unit, names.
+
+    Returns its symbol; raises `ValueError` if its unit has another dimension than the derivative.
+    """
     names = {*map(name_symbol, letter.names)}
     place, rate = next(
         (n, v) for n, v in enumerate(variables) if names & {*map(name_symbol, v.latex)}
@@ -107,9 +111,9 @@ def refuse_twins(
     rates: Collection[sp.Basic],
     blame: Callable[[Variable], AbstractContextManager[None]],
 ) -> None:
-    """Refuse letters that are told from each other by their braces only; not so derivatives.
+    """Refuse letters, except derivatives, whose names differ in braces only.
 
-    The second of two is to blame.
+    The second of two is blamed.
     """
     met: dict[str, Variable] = {}
     for variable in variables:
@@ -126,7 +130,7 @@ def refuse_twins(
 def leave_names(
     variables: Sequence[Variable], places: Mapping[sp.Basic, Place | None]
 ) -> tuple[list[Variable], list[tuple[Place | None, str]]]:
-    """Return variables without names that cannot be read or are those of others, and these."""
+    """Return variables without names that are unreadable or taken, and the faults found."""
     met: dict[tuple[str, ...], Variable] = {}
     found, faults = [], []
     for v in variables:
@@ -146,9 +150,9 @@ def leave_names(
 
 
 def set_otherwise(variables: Sequence[Variable]) -> Iterator[Variable]:
-    r"""Yield variables with their names in other types, F_{\max} for F_{max}, where these are free.
+    r"""Yield variables with their names in other typefaces added, F_{\max} for F_{max}, where free.
 
-    A word that is an index is the same in italics and upright.
+    A word as an index is the same in italics and upright.
     """
     taken = {name: v.symbol for v in variables for name in map(_to_signs(v), v.latex)}
     for v in variables:
@@ -171,26 +175,26 @@ def _set(kind: str, index: re.Match[str]) -> str:
 
 
 def find_stem(letter: str) -> str:
-    """Return x of the name of two letters, x_{1,2}, nothing of another."""
+    """Return x for the name of two letters, x_{1,2}, "" for any other."""
     pair = _PAIR.fullmatch(letter)
     return pair[1] if pair else ""
 
 
 def list_halves(letter: str) -> tuple[str, ...]:
-    """Return x_1 and x_2 of the name of two letters, x_{1,2}, nothing of another."""
+    """Return x_1 and x_2 for the name of two letters, x_{1,2}, () for any other."""
     pair = _PAIR.fullmatch(letter)
     return (f"{pair[1]}_{pair[2]}", f"{pair[1]}_{pair[3]}") if pair else ()
 
 
 def find_pairs(prints: Iterable[str]) -> Iterator[str]:
-    """Yield the names of two letters that stand beside double signs."""
+    """Yield the names of two letters in prints with double signs."""
     for latex in prints:
         if DOUBLE.search(latex):
             yield from _PRINT.findall(latex)
 
 
 def leave_pairs(letters: Iterable[str], prints: Iterable[str]) -> list[str]:
-    """Return letters without what is printed of two of them at once."""
+    """Return letters without names that stand for two of the other letters."""
     letters = [*letters]
     known = {*map(name_symbol, letters)}
     pairs = map(name_symbol, find_pairs(prints))
@@ -199,10 +203,10 @@ def leave_pairs(letters: Iterable[str], prints: Iterable[str]) -> list[str]:
 
 
 def add_pairs(block: Block, prints: Iterable[str]) -> dict[str, tuple[str, ...]]:
-    """Declare what is printed of two declared letters at once; return both by its name.
+    """Declare names that stand for two declared letters; return the two letters by the name.
 
-    It has the unit of the first; what is said of each is not said of both. What the block declares
-    itself is a letter of its own, as the ratio i_{1,2} is.
+    The unit is that of the first letter; conditions on either letter are not copied. A name that
+    the block itself declares is a letter of its own, such as the ratio i_{1,2}.
     """
     declared = {name_symbol(name): x for x in block.letters for name in x.names}
     found: dict[str, dict[str, None]] = {}

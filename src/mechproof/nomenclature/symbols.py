@@ -1,6 +1,6 @@
 r"""The symbols of a paper: letters, what is said of each, and the reader of prints in them.
 
-Rates in time of what depends on a letter that moves are known: \dot s of s(\theta) beside
+Time derivatives of letters that depend on a moving letter are known: \dot s of s(\theta), given
 \theta(t). In some equations a print may mean another letter than elsewhere.
 """
 
@@ -23,17 +23,17 @@ from mechproof.record.unit_notation import UNITS
 from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Place
 
-# For the name of a rate: its letter, and its order.
+# The name of a rate -> the name of its letter, and its order.
 Chained = Mapping[str, tuple[str, int]]
 _TO = "-"
 
 
 @dataclass(frozen=True)
 class Symbols:
-    """What the letters of a paper are.
+    """The letters of a paper.
 
-    `bare` are the symbols of which no unit is declared; `scales` are the sizes of declared ones.
-    `faults` tell of names that no print can have, with the places of their declarations.
+    `bare` are the symbols without a declared unit; `scales` are the sizes of the declared units.
+    `faults` report names that no print can have, with the places of their declarations.
     """
 
     variables: tuple[Variable, ...]
@@ -46,12 +46,12 @@ class Symbols:
 
     @property
     def moving(self) -> Moving:
-        """Return the letters that depend on another, and their derivatives by it."""
+        """Return the letters that depend on another, with their derivatives by it."""
         return self.notation.moving
 
     @property
     def branches(self) -> tuple[sp.Basic, ...]:
-        """Return the letters that are one of a few numbers, 1 or -1."""
+        """Return the letters that take one of a few values, 1 or -1."""
         return tuple(v.symbol for v in self.variables if v.within.is_FiniteSet)
 
     @property
@@ -60,36 +60,37 @@ class Symbols:
         return {name_symbol(name): v.symbol for v in self.variables for name in v.latex}
 
     def list_branches(self, letters: Collection[sp.Basic]) -> list[dict[sp.Basic, sp.Expr]]:
-        """Return the choices of the branches among letters: one without any if there is none."""
+        """Return all combinations of values of the branches among letters, at least {}."""
         sets = {v.symbol: v.within for v in self.variables if v.symbol in self.branches}
         chosen = [[(s, value) for value in sets[s]] for s in sets if s in letters]
         return [dict(choice) for choice in product(*chosen)]
 
     def list_exact(self) -> set[sp.Expr]:
-        """Return the declared sizes of letters, in their units and in those of SI."""
+        """Return the declared sizes of letters, in their units and in SI units."""
         scaled = {size * self.scales.get(s, sp.S.One) for s, size in self.usual.items()}
         return {*self.usual.values()} | scaled
 
     def find_dimension(self, symbol: sp.Basic) -> Dimension | None:
-        """Return the dimension of a letter, None where no unit is declared."""
+        """Return the dimension of a letter, None if no unit is declared."""
         declared = (v.dimension for v in self.variables if v.symbol == symbol)
         return next(declared) if symbol in self.scales else None
 
     def find_steps(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
-        """Return by what a letter is differentiated, and the letter with all its derivatives.
+        """Return the variable of a letter's derivatives, and the letter with all its derivatives.
 
-        It may be one of these; one that depends on nothing stands alone.
+        The symbol may be any of these; one that depends on nothing is returned alone, as its own
+        variable.
         """
         all_steps = ((by, (letter, *rates)) for letter, (by, rates) in self.moving.items())
         return next((one for one in all_steps if symbol in one[1]), (symbol, (symbol,)))
 
     def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:
-        """Return one of letters that all have the same declared unit, None for others."""
+        """Return one of the letters if all have the same declared unit, else None."""
         units = {(self.find_dimension(x), self.scales.get(x)) for x in letters}
         return min(letters, key=str) if len(units) == 1 and (None, None) not in units else None
 
     def show_entries(self, given: Mapping[sp.Basic, Any]) -> tuple[Symbols, dict[sp.Basic, Any]]:
-        """Return these letters with those of the entries of matrices that nothing gives."""
+        """Return these letters with entries for matrices without a value, and those matrices."""
         new, values = [], {}
         for v in self.variables:
             if isinstance(v.symbol, sp.MatrixSymbol) and v.symbol not in given:
@@ -111,7 +112,7 @@ class Symbols:
         ), values
 
     def with_units(self) -> Symbols:
-        """Return these letters and the units of SI, which count in themselves."""
+        """Return these letters and the SI units, each with scale and size one."""
         units = dict.fromkeys((v.symbol for v in UNITS), sp.S.One)
         scales, usual = {**self.scales, **units}, {**self.usual, **units}
         return replace(self, variables=(*self.variables, *UNITS), scales=scales, usual=usual)
@@ -123,9 +124,9 @@ class Symbols:
         return Reader(variables, self.notation, REMEDIES)
 
     def paper(self, system: str, given: Mapping[sp.Basic, Any], *, with_units: bool) -> Paper:
-        """Return the paper of these letters, without rows; without units none are compared.
+        """Return the paper of these letters, without rows; `with_units` makes it compare units.
 
-        What is said of a letter that is defined becomes a condition on those that define it.
+        The set of a defined letter becomes a condition on the letters that define it.
         """
         variables, where = [], [*self.where]
         for v in self.variables:
@@ -139,7 +140,10 @@ class Symbols:
 
 
 def add_chained_rates(block: Block) -> Chained:
-    """Declare the rates in time of letters that depend on one that does; return what they are."""
+    """Declare time derivatives of letters that depend on a letter that depends on time.
+
+    Returns the name of each with its letter and order.
+    """
     step = next((x.unit for x in block.letters if TIME in x.names), "s")
     moving = {name_symbol(x.names[0]) for x in block.letters if x.running == TIME}
     found: dict[str, tuple[str, int]] = {}
@@ -158,7 +162,7 @@ def add_chained_rates(block: Block) -> Chained:
 
 
 def give_chained_rates(chained: Chained, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    """Yield the rates in time with their values by the chain rule."""
+    """Yield the time derivatives with their values by the chain rule."""
     names = symbols.names
     for name, (letter, order) in chained.items():
         value, time = names[letter], names[TIME]
@@ -168,9 +172,9 @@ def give_chained_rates(chained: Chained, symbols: Symbols) -> Iterator[tuple[sp.
 
 
 def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Symbols:
-    """Return the symbols with what the block says of equations and of ranges of them.
+    """Return the symbols with the block's statements on single equations and ranges of them.
 
-    Raises `ValueError` for equations and letters that are not there.
+    Unknown equations and letters are recorded as faults of the block.
     """
     declared = {name: v.symbol for v in symbols.variables for name in v.latex}
     scopes = []
@@ -186,7 +190,7 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
 
 
 def _list_names(equations: Sequence[str], printed: Sequence[Printed]) -> Iterator[str]:
-    """Yield the names of the equations listed, and of those in ranges between two."""
+    """Yield the names of the listed equations, including those in ranges between two."""
     first = 0
     for place, equation in enumerate(equations):
         if equation == _TO:
