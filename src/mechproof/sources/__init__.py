@@ -1,1 +1,1 @@
-"""A paper's own files -> its text, displays, lines and tables, and what words before them say."""
+"""A paper's own files -> its text, displays, lines and tables, and what words say of displays."""

@@ -1,8 +1,8 @@
-"""What words before a display announce: another case, a special one, another sense of counting.
+"""What the words in front of a display announce: another case, a special one, a reversed sense.
 
 Words are matched, not understood. Prose that announces no consequence may lead to anything. A
-sentence may go on to something else although it calls it a consequence: "The parallel arrangement
-has k. Consequently, the series arrangement has k" says two things of k, and so does "Turned by 90
+sentence may turn to something else even if it calls it a consequence: "The parallel arrangement has
+k. Consequently, the series arrangement has k" states two different k, and so does "Turned by 90
 degrees we obtain".
 """
 
@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from mechproof.sources.examples import NO_EXAMPLE, Example
 
 # Words for another case, but not for the second root of an equation; words that may mean either;
-# and the characters before a display within which they are looked for.
+# and the number of characters in front of a display in which they are sought.
 _OTHERS = (
     r"other|otherwise|another|alternative(?:ly)?|second(?! (?:derivative|time|order|law)\b)|else"
 )
@@ -56,7 +56,7 @@ _EQUATING = re.compile(
     re.IGNORECASE,
 )
 # Words that reverse the sense in which something is counted (mostly counter-clockwise) from there
-# on. A sentence that goes on with "where" behind a display says what letters meant all along.
+# on. A sentence that continues after a display with "where" explains what letters meant all along.
 _TURNING = re.compile(
     r"(?<!counter)(?<!anti)(?<!counter-)(?<!anti-)clockwise|counter-?rotat|opposed|crossed|mirror"
     r"|revers(?:e|al|ing)|redefin|backwards|downwards|\b(?:left|right)-hand|\bsign convention"
@@ -75,7 +75,7 @@ _TURNING = re.compile(
 _MEANING = r"where|in which|wobei|o\xf9|где"
 _CLAUSE = re.compile(rf"[\s.,;]*(?:{_MEANING}|with|mit|avec)\b", re.IGNORECASE)
 _WHERE = re.compile(rf"[\s.,;]*(?:{_MEANING})\b[^.;]*", re.IGNORECASE)
-# Words by which a display follows from those before it, or says the same.
+# Words by which a display follows from those before it, or means the same.
 _CONSEQUENCE = re.compile(
     r"\b(?:hence|therefore|thus|so|this|which|these|consequently|accordingly|again|that is|i\.e"
     r"|namely|whence|(?:is|be) written|daher|folglich|somit|damit|also|daraus|woraus"
@@ -88,23 +88,23 @@ _CONSEQUENCE = re.compile(
     re.IGNORECASE,
 )
 _END = re.compile(r"(?<!\b[Ff]ig)(?<!\b[Ee]q)(?<!\b[Ee]qs)(?<!\bcf)(?<!\b[Ss]ec)[.;!?]\s")
-# A heading: nothing behind it follows from what stands before it.
+# A heading: nothing after it follows from what precedes it.
 _HEADING = re.compile(r"\\(?:chapter|(?:sub)*section|paragraph)(?![A-Za-z])")
-# Words that go on to something else, as a heading does.
+# Words that turn to something else, as a heading does.
 _CONTRAST = re.compile(
     r"\bin contrast\b|\bon the other hand\b|\bin place of\b|\b(?:whereas|instead|unlike|next)\b"
     r"|\b(?:of|in) fig(?:ure\b|\.)"
     r"|\b(?:dagegen|hingegen|anstelle)\b|\ben revanche\b|\bв отличие\b",
     re.IGNORECASE,
 )
-# A law with a name: the cycloidal law, but not "the velocity law", which is that of the law before.
+# A law with a name: the cycloidal law, but not "the velocity law", which belongs to the law before.
 _LAW = re.compile(
     r"\b(?!(?:the|an?|this|that|these|its|same|such|our|of|and|each|every|any|above|basic|general"
     r"|motion|displacement|position|lift|velocity|speed|acceleration|follower|cam)\b)"
     r"([^\W\d_]{3,}) (?:laws?|curves?|profiles?|motions?|programs?|programmes?)\b",
     re.IGNORECASE,
 )
-# A further item of a list, which may have no words: \item[(b)], \textbf{B}, 2. in Markdown.
+# Another item of a list, which may have no words: \item[(b)], \textbf{B}, 2. in Markdown.
 _ITEM = re.compile(
     r"\\item(?![A-Za-z])|\\(?:textbf|textit|emph)\{[^{}]{1,3}\}"
     r"|^[ \t]*(?:\$?\(?\$?(?:\\[A-Za-z]+|[A-Za-z\d]{1,2})\$?[.)]\$?|[-*\u2013]{1,3})[ \t]*$",
@@ -143,7 +143,7 @@ _OPPOSITES = (
 _SIDES = tuple(
     tuple(re.compile(rf"\b(?:{words})\b", re.IGNORECASE) for words in pair) for pair in _OPPOSITES
 )
-# Stems of verbs for operations on equations, and of words that look like verbs but are none.
+# Stems of verbs for operations on equations, and of words that only look like such verbs.
 _CALCULATIONS = (
     "abbreviat|accord|account|appl|approximat|assum|bas|be|bear|bring|calculat|cancel|clear|collect"
     "|combin|compar|comput|consider|deduc|denot|deriv|develop|differentiat|divid|dur|eliminat"
@@ -167,18 +167,18 @@ _DEED = re.compile(
 
 @dataclass(frozen=True)
 class Announced:
-    """What is announced of a display: another case or a special one, or that it says something new.
+    """What is announced of a display: another case or a special one, or something new.
 
-    `is_clause` tells that the sentence goes on and says what letters mean, `is_position` that it
-    may hold at a special position only, or while something is held, `is_equating` that letters
-    that differ elsewhere may be equal there, `is_general` that it holds in all cases, `is_other`
-    that it is another case than the one before, and no root of the same.
+    `is_clause`: the sentence continues and explains what letters mean; `is_position`: it may hold
+    only at a special position, or while something is held; `is_equating`: letters that differ
+    elsewhere may be equal there; `is_general`: it holds in all cases; `is_other`: it is another
+    case than the one before, not another root of the same.
 
     `passage` counts the passages of prose so far; `scope` is the last one that says something new
-    or may be special; `turns` counts those with words that turn the sense in which something is
-    counted or go on to another arrangement, `subjects` those that go on to something else. `law`
-    is the name of the law that was spoken of last, `general` the last passage that tells of all
-    cases, `sides` which opposites were named last; `example` is the worked example it stands in.
+    or may be special; `turns` counts those with words that reverse the sense in which something is
+    counted or introduce another arrangement, `subjects` those that turn to something else. `law` is
+    the name of the law last mentioned, `general` the last passage about all cases, `sides` which
+    opposites were named last; `example` is the worked example that contains the display.
     """
 
     is_case: bool = False
@@ -199,17 +199,17 @@ class Announced:
     example: Example = NO_EXAMPLE
 
     def is_apart(self, other: Announced) -> bool:
-        """Return whether words stand between that go on to something else, or turn a sense."""
+        """Return whether the text between turns to something else, or reverses a sense."""
         return (self.turns, self.subjects) != (other.turns, other.subjects)
 
     def is_of_other(self, other: Announced) -> bool:
-        """Return whether it is announced anew, of the opposite of what another is said of."""
+        """Return whether it is announced anew, for the opposite of what the other is about."""
         return self.is_new and _are_opposed(self.sides, other.sides)
 
     def go_on(self, words: str, offsets: Sequence[int] = ()) -> Announced:
-        """Return what is announced of the next display; without words of its own as before.
+        """Return the announcement of the next display; without prose of its own most of it is kept.
 
-        `offsets` tell where these stand.
+        `offsets` are the places of the characters of `words`.
         """
         said = _WHERE.match(words) if self.passage else None
         turns = self.turns + bool(_TURNING.search(words, said.end() if said else 0))
@@ -248,9 +248,9 @@ class Announced:
 
 
 def _follows(words: str) -> bool:
-    """Return whether words tell of a consequence before they say anything else.
+    """Return whether words announce a consequence before they say anything else.
 
-    Words that say what letters mean, behind the display before, say nothing new.
+    A sentence after the preceding display that explains letters is not counted.
     """
     sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
     return any(_CONSEQUENCE.search(one) and not _tells_of_another(one) for one in sentences[:1])
@@ -265,7 +265,7 @@ NOTHING = Announced()
 
 
 def _find_sides(words: str) -> Mapping[int, int]:
-    """Return the pairs of opposites of which words name just one, and which one."""
+    """Return the pairs of opposites of which words name just one, with the index of that one."""
     found = {}
     for pair, (one, other) in enumerate(_SIDES):
         said = bool(one.search(words)), bool(other.search(words))
@@ -275,12 +275,12 @@ def _find_sides(words: str) -> Mapping[int, int]:
 
 
 def _are_opposed(one: Mapping[int, int], other: Mapping[int, int]) -> bool:
-    """Return whether two passages name the opposite sides of a pair."""
+    """Return whether two passages name opposite sides of a pair."""
     return any(other.get(pair, side) != side for pair, side in one.items())
 
 
 def _tells_of_another(sentence: str) -> bool:
-    """Return whether a sentence starts with a deed that is no calculation, or with another thing.
+    """Return whether a sentence starts with an action other than a calculation, or another thing.
 
     "Moving down, …", "Hence a thin ring has".
     """

@@ -1,6 +1,6 @@
-"""Displayed equations of a text, numbered as LaTeX numbers them; the commas and points of numbers.
+"""Displayed equations of a text, numbered as LaTeX numbers them; commas and points in numbers.
 
-Commas and points between digits are decimal ones, or part thousands, 1{,}000.
+Commas and points between digits are decimal, or separate thousands, 1{,}000.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from mechproof.sources.plain_displays import (
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
 _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
-# Tells users which equations are looked for in a text.
+# Told to users: which equations are looked for in a text.
 EXPECTED = (
     r"equations are displays, \begin{equation}…\end{equation} and the like (align, gather, "
     r"multline, IEEEeqnarray), \[…\] or $$…$$, and not between single $"
@@ -64,13 +64,13 @@ _DISPLAYING = re.compile(rf"\\(?:begin|end)\{{(?:{_NAMES}|{'|'.join(FRAMES)})\}}
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _CITE = re.compile(r"\\cite\s*(?:\[[^\[\]]*\]\s*)*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
-# A number beside an equation that is no tag, as in Markdown; dots or a dash may lead to it.
+# A number next to an equation that is not a tag, as in Markdown; dots or a dash may lead to it.
 _BESIDE = re.compile(
     r"\\q?quad(?:\\q?quad|\\[,;:! ]|\s|[-\u2013\u2014\u2026]|\.{2,}|\\[cl]?dots)*"
     r"\((\d+(?:\.\d+)*[a-z]?)\)[\s.,;]*\Z"
 )
 _UNNUMBERED = re.compile(r"\\(?:IEEE)?(?:nonumber|notag)(?![A-Za-z])")
-# The commands of IEEEeqnarray that number a line, (2), and one below the number before, (2a).
+# The commands of IEEEeqnarray that number a line, (2), and one below the preceding number, (2a).
 _NUMBERED = re.compile(r"\\IEEEyes(?:sub)?number\*?(?![A-Za-z])")
 _BELOW = re.compile(r"\\IEEEyessubnumber(?![A-Za-z])")
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _CITE, _TAG, _UNNUMBERED, _NUMBERED)))
@@ -88,10 +88,11 @@ _POINT = re.compile(r"\d\.(?!\d{3}(?!\d))\d")
 
 @dataclass(frozen=True)
 class Printed:
-    """One equation of a text: how it is named, its labels, what it cites, its LaTeX, or why none.
+    """One equation of a text: its name, its labels, its citations, its LaTeX, and its fault if any.
 
-    Equations of one display have one `group`; `announced` is what words before it say of it. The
-    first `taken` characters of its LaTeX are those that the display before it ends in.
+    Equations of one display have the same `group`; `announced` is what the words before it say of
+    it. The first `taken` characters of its LaTeX are repeated from the end of the display before
+    it.
     """
 
     name: str
@@ -104,16 +105,16 @@ class Printed:
     taken: int = 0
 
     def locate(self, files: Files, place: int = 0) -> Place:
-        """Return where a character of its LaTeX stands, by default the first that is its own."""
+        """Return the place of a character of its LaTeX, by default the first that is its own."""
         offsets = self.latex.offsets
         return files.locate(offsets[min(place or self.taken, len(offsets) - 1)])
 
 
 def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
-    """Yield the equations of a text in their order; those without number are named by theirs.
+    """Yield the equations of a text in order; one without a number is called "display n".
 
-    Without `cut` equations beside each other in one display stay together.
-    Raises `DocumentError` for macros in a circle that stand for environments.
+    Unless `cut`, equations next to each other in one display stay together.
+    Raises `DocumentError` for macros that stand for environments and call each other in a circle.
     """
     counter, unnumbered = Counter(), count(1)
     defined, text = _expand_frames(*find_macros(text))
@@ -150,7 +151,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
                 continue
             for found in _read_display(text, match, macros, counter, unnumbered, cut=cut):
                 latex, remark = cut_remark(found.latex)
-                # An equation without a remark, behind one with a remark, is about something else.
+                # An equation without a remark, after one with a remark, is about something else.
                 if remark or remark_before:
                     announced = announced.go_on(remark or remark_before)
                 remark_before = remark
@@ -163,7 +164,7 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
 
 
 def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int) -> Printed:
-    """Return the line of a display that is opened and has no end."""
+    """Return the first line of a display that has no end, with that fault."""
     rest = text[match.start("rest") : match.end()].strip()
     latex = rest if len(rest) else text[match.start("opened") : match.end("opened")]
     fault = f"{match['opened']} begins a display that has no end"
@@ -171,7 +172,7 @@ def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int)
 
 
 def _go_on(before: Printed, printed: Printed) -> Printed:
-    """Return an equation that begins with its relation sign, with the end of the display before."""
+    """Return an equation that begins with its relation sign, completed by the preceding display."""
     if not begins_with_sign(printed.latex.string):
         return printed
     taken = join([before.latex, before.latex.put(" ", -1)])
@@ -238,7 +239,7 @@ def _read_display(
 
 
 def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterator[LocatedText]:
-    """Yield the equations of lines that belong together, without what names them."""
+    """Yield the equations of lines that belong together, without labels, tags and numbers."""
     plain = [line.replace(_NAMING, lambda _: " ").replace(_BESIDE, lambda _: " ") for line in lines]
     latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
     yield from (piece for piece in (cut_gaps(latex) if cut else [latex.strip()]) if len(piece))
@@ -247,7 +248,7 @@ def _read_lines(lines: Sequence[LocatedText], kind: str, *, cut: bool) -> Iterat
 
 
 def _group(lines: Sequence[LocatedText]) -> Iterator[tuple[int, int]]:
-    """Yield where the lines of an equation begin and end."""
+    """Yield the first line of each equation and the line after its last."""
     # Labels and tags are removed: they do not count as the end of a line.
     plain = [_NAMING.sub(" ", line.string) for line in lines]
     starts = [0] if lines else []
@@ -270,20 +271,20 @@ def _name(line: LocatedText, is_numbered: bool, counter: Counter) -> str:
 
 
 def mark_decimals(text: LocatedText) -> LocatedText:
-    """Return a text with 3{,}5 for 3,5, if it says so of its commas."""
+    """Return a text with 3{,}5 for 3,5 if the text loads the package icomma."""
     if not _ICOMMA.search(text.string):
         return text
     return text.replace(_DECIMAL, lambda match: "{,}" if match[0] == "," else match[0])
 
 
 def join_thousands(text: LocatedText) -> LocatedText:
-    """Return a text without what parts thousands: commas, or points beside decimal commas."""
+    """Return a text without separators of thousands: commas, or points if commas are decimal."""
     numbers = _NUMBER.findall(text.string)
     if not numbers:
         return text
     prints = (_WORDS.sub(" ", one.latex.string) for one in find_displays(text))
     has_points = any(map(_POINT.search, prints))
     if not all(map(_THOUSANDS.fullmatch, numbers)):
-        # Beside decimal commas, points separate thousands.
+        # If commas are decimal, points separate thousands.
         return text if has_points else text.replace(_PARTING, lambda match: "")
     return text.replace(_COMMA, lambda match: "") if has_points else text

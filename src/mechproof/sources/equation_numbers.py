@@ -33,7 +33,7 @@ class Counter:
         return f"({self._show_count()})"
 
     def step_below(self, *, is_new: bool) -> str:
-        """Return the next number with a letter, of the equation before it or of a new one."""
+        """Return the next number with a letter, below the preceding number or below a new one."""
         if is_new or not self.below:
             self.count, self.below = self.count + 1, 0
         self.below += 1
@@ -54,7 +54,7 @@ class Counter:
         return _print_count(number, match["kind"] or "arabic")
 
     def _show_section(self, level: str) -> str:
-        """Return the number of a section, preceded by that of the section around it."""
+        """Return the number of a section, preceded by the numbers of the enclosing sections."""
         levels = _LEVELS[: _LEVELS.index(level) + 1]
         first = next((n for n, one in enumerate(levels) if self.sections[one]), len(levels) - 1)
         numbers = [str(self.sections[one]) for one in levels[first:]]
@@ -68,7 +68,7 @@ class Counter:
         self.sections = dict.fromkeys(_LEVELS, 0)
 
     def enter(self, level: str) -> None:
-        """Begin a section; numbers that are counted within it begin anew."""
+        """Begin a section; numbers that are counted within it restart."""
         self.sections[level] += 1
         for lower in _LEVELS[_LEVELS.index(level) + 1 :]:
             self.sections[lower] = 0
@@ -76,7 +76,7 @@ class Counter:
             self.count = 0
 
     def group(self, edge: str) -> None:
-        """Enter equations that have one number and a letter each, or leave them."""
+        """Enter or leave subequations, which share a number and have a letter each."""
         self.count += edge == "begin"
         self.letter = 0 if edge == "begin" else -1
 

@@ -1,7 +1,7 @@
 """Worked examples: which words begin one, and where it ends.
 
-What an example says holds there only. One with a heading lasts until the next heading of its kind,
-one that words begin until the next heading; what is said of all cases ends both. Words are matched,
+What an example says holds only there. One with a heading lasts until the next heading of its level,
+one begun by words until the next heading; a statement about all cases ends both. Words are matched,
 not understood.
 """
 
@@ -41,11 +41,11 @@ _GAP = re.compile(r"\s*?\n[ \t]*\n\s*\S", re.DOTALL)
 
 @dataclass(frozen=True)
 class Example:
-    """The worked example that a display stands in, counted from 1; 0 is none.
+    """The worked example that contains a display, counted from 1; 0 means none.
 
-    `last` is the number of the last one, `start` where in its files it begins, `level` how deep the
-    heading is that begins it; within `has_several` each lower heading begins one. `is_sure` is
-    false where words begin it and a new paragraph goes on to something else.
+    `last` is the number of the last example, `start` its beginning in the files, `level` the level
+    of the heading that begins it; if it `has_several`, each lower heading begins another. `is_sure`
+    is false if words begin it and a new paragraph may have left it.
     """
 
     number: int = 0
@@ -56,7 +56,7 @@ class Example:
     is_sure: bool = True
 
     def go_on(self, words: str, offsets: Sequence[int], *, is_new: bool) -> Example:
-        """Return in which example the next display stands, behind words and where these stand."""
+        """Return the example that contains the next display, after words at the given offsets."""
         found = self
         if self.number and self.level == _WORDS and is_new and _GAP.match(words):
             found = replace(self, is_sure=False)
@@ -77,7 +77,7 @@ class Example:
         return replace(self, is_sure=True) if self.number else self._begin(_WORDS, start)
 
     def _enter(self, level: int, title: str, start: int) -> Example:
-        """Pass a heading: of an example, within one, or of something else."""
+        """Pass a heading: of an example, inside one, or of something else."""
         if said := _EXAMPLE.search(title):
             return replace(self._begin(level, start), has_several=bool(said["several"]))
         if self.number and self.level < level:

@@ -1,7 +1,7 @@
-r"""A display -> its lines, and the equations that they are.
+"""A display -> its lines, and the equations that they make up.
 
-What begins with a relation or an operator goes on with the line before it. A wide gap parts
-equations, and leaves a condition with its own.
+A line that begins with a relation or an operator continues the one before it. A wide gap separates
+equations, but leaves a condition with its equation.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _WRAPPING = re.compile(
     r"(?:\[[tbc]\])?(?:\{\d+\})?"
 )
 _SPACING = re.compile(SPACING)
-# A brace before equations at the beginning of a line: a system, not the cases of a function.
+# A brace in front of equations at the beginning of a line: a system, not the cases of a function.
 _SYSTEM = re.compile(
     r"\\begin\s*\{d?cases\}|\\left\s*\\\{\s*(?:\\begin\s*\{(?:array|matrix)\}(?:\s*\{[lcr|\s]*\})?)?"
 )
@@ -33,7 +33,7 @@ _STEP = re.compile(
     re.DOTALL,
 )
 _BRACKETS = {"{": "}", "(": ")"}
-# Brackets that lines and columns never split; round ones may go on in the next line.
+# Brackets that lines and columns never split; round ones may continue on the next line.
 _BRACES = {"{": "}"}
 _EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
@@ -41,7 +41,7 @@ _RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
 # Signs that continue an equation: \left. precedes the end of a bracket opened on another line.
 _CONTINUING = (*_RELATIONS, "+", r"\left.")
-# What may stand between an equation and the range of its index.
+# What may separate an equation from the range of its index.
 _BEFORE_RANGE = (
     r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
 )
@@ -50,11 +50,11 @@ _RANGE = re.compile(
     r"(?<![A-Za-z])[a-z]\s*(?:=|\\in\s*\\\{)\s*\d+\s*,\s*(?:\d+\s*,\s*)*"
     r"(?:\\[lc]?dots|\.\.\.)\s*,?\s*(?:\d+|[A-Za-z])(?:\s*\\\})?\s*\Z"
 )
-# The values of an index one by one; of another letter, this may be a number with a decimal comma.
+# The values of an index one by one; for another letter, this may be a number with a decimal comma.
 _LIST = re.compile(
     rf"{_BEFORE_RANGE}\(?\s*(?<![A-Za-z])([a-z])\s*=\s*\d+\s*(?:,(?:\s|\\,)*\d+\s*)+\)?\s*\Z"
 )
-# "For all x" says nothing of a letter that is real anyway; it may say that i to n count.
+# "For all x" says nothing of a letter that is real anyway; for i to n it may say that they count.
 _ALL = re.compile(
     rf"{_BEFORE_RANGE}(?:\\forall|\\(?:text|mbox|textrm)\s*\{{\s*for (?:all|any|every)\s*\}})"
     r"(?:\s|~|\\[,;: ])*(?:(?![i-n])[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{\w+\}))?\s*\Z"
@@ -70,7 +70,7 @@ _WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _ARROW = "|".join(map(re.escape, _LEADS))
-# The numbers of the equations from which this one follows, if none stands in it:
+# The numbers of the equations from which this one follows, if it contains no others:
 # (3)\Rightarrow(5)\quad.
 _NUMBER = r"\(\d+[a-z]?\)"
 _FROM_AT_START = re.compile(
@@ -83,8 +83,7 @@ _LINK_AT_START = re.compile(rf"\A\s*{_WORD}")
 _BETWEEN = re.compile(_WORD)
 # Cases, whose conditions do not apply to the whole equation.
 _PIECES = re.compile(r"\\begin\s*\{(d?cases|array)\}.*?\\end\s*\{\1\}", re.DOTALL)
-# The words for a condition that stands in a bracket: \text{ring held }(n=0), \text{(ring held,
-# }n=0).
+# Words for a condition in brackets: \text{ring held }(n=0), \text{(ring held, }n=0).
 _TEXT = r"\\(?:text|mbox|textrm)\s*\{"
 _CLOSED = re.compile(rf"{_TEXT}\s*\)\s*\}}")
 _REMARK = re.compile(
@@ -96,13 +95,13 @@ _EXCLUDING = re.compile(
     r"|not (?:if|for|at|when|with)|au\xdfer|sonst|sauf|sinon|кроме|иначе)\b",
     re.IGNORECASE,
 )
-# Words behind an equation, in a bracket or behind a gap.
+# Words after an equation, in brackets or after a gap.
 _BEHIND = re.compile(
     r"(?:\\q?quad(?:\s|\\[,;:! ]|~)*|(?:\\left)?\(\s*|(?=\\[a-z]+\s*\{\s*\())"
     r"\\(?:text(?:rm|it|sf|bf)?|mbox|emph)\s*\{(?P<words>[^{}$\\<>=?]*)\}"
     r"(?:\s*(?:\\right)?\))?[\s.,;~]*\Z"
 )
-# Such words are a remark if one of them is no unit, and none denies or measures.
+# Such words are a remark if one of them is not a unit, and none denies or measures.
 _PLAIN_WORD = re.compile(
     r"\b(?!(?:\w*(?:met(?:er|re)|gram)|newton|pascal|watt|joule|degree|radian|second|minute|hour"
     r"|hertz|inch|feet|foot|pound|turn|revolution)(?:e?s)?\b)[^\W\d_]{4}",
@@ -117,7 +116,7 @@ _CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|at|when
 
 
 def split_lines(body: LocatedText) -> list[LocatedText]:
-    r"""Cut a display at its \\, but for those inside of matrices, cases and braces."""
+    r"""Cut a display at each \\ outside matrices, cases and braces."""
     body = body.replace(_WRAPPING, lambda _: " ").replace(_INTERTEXT, lambda _: r"\\ ")
     lines, start = [], 0
     for sign, place, depth in walk_signs(body.string, _BRACES):
@@ -151,7 +150,7 @@ def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
 def walk_signs(
     string: str, brackets: Mapping[str, str] = _BRACKETS
 ) -> Iterator[tuple[str, int, int]]:
-    """Yield the signs of a display as they are read, their places, and how deep they stand."""
+    """Yield the signs of a display as they are read, their places, and their depths of nesting."""
     depth = 0
     for match in _STEP.finditer(string):
         sign = match[0]
@@ -163,30 +162,30 @@ def walk_signs(
 
 
 def goes_on(before: str, line: str) -> bool:
-    """Return whether a line belongs to what stands before it."""
+    """Return whether a line belongs to the equation in front of it."""
     signs, signs_before = _list_signs(line), _list_signs(before)
     if not signs or not signs_before or ends_open(before):
         return True
     # The ends of an interval may be brackets of two kinds.
     opened, closed = (sum(sign in kind for sign in signs_before) for kind in ("([", ")]"))
-    # The content of a coloured group counts as if it stood outside.
+    # The content of a coloured group counts as if it were outside.
     deepest = 1 if signs[0] == "{" else 0
     has_relation = any(s in _RELATIONS and depth <= deepest for s, _, depth in walk_signs(line))
     return opened > closed or signs[0] in _CONTINUING or not has_relation
 
 
 def begins_with_sign(line: str) -> bool:
-    """Return whether a line begins with a sign of equality, its other side before it."""
+    """Return whether a line begins with a sign of equality, so that its left side is missing."""
     return any(sign in _EQUALITY for sign in _list_signs(line)[:1])
 
 
 def count_signs(line: str) -> int:
-    """Return how many relation signs a line has."""
+    """Return the number of relation signs of a line outside brackets."""
     return sum(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
 
 
 def ends_open(line: str) -> bool:
-    """Return whether a line ends with a sign behind which something has to stand."""
+    """Return whether a line ends with a sign that something must follow."""
     *before, last = ["", *_list_signs(line)]
     return last in (*_RELATIONS, *_OPERATORS) and before[-1:] != ["^"]
 
@@ -196,9 +195,9 @@ def _list_signs(line: str) -> list[str]:
 
 
 def join_lines(lines: Sequence[LocatedText], *, has_columns: bool = True) -> LocatedText:
-    """Return lines as one equation, without what aligns them and what leads to them.
+    """Return lines as one equation, without alignment marks and leading arrows.
 
-    Every second sign that aligns begins a column of its own, but for displays of one.
+    Unless `has_columns` is false, every second alignment mark begins a new column.
     """
     parts: list[LocatedText] = []
     for line in lines:
@@ -209,7 +208,7 @@ def join_lines(lines: Sequence[LocatedText], *, has_columns: bool = True) -> Loc
 
 
 def _drop_repeated(before: LocatedText, line: LocatedText) -> LocatedText:
-    """Return a line without the sign at its end with which the next one begins again."""
+    """Return a line without a sign at its end that the next line repeats at its beginning."""
     last, first = _SIGN_AT_END.search(before.string), _SIGN_AT_START.match(line.string)
     return before[: last.start()] if last and first and last[1] == first[1] else before
 
@@ -227,7 +226,7 @@ def _drop_alignment(line: LocatedText, has_columns: bool) -> Iterator[LocatedTex
 
 
 def _drop_leads(latex: LocatedText) -> LocatedText:
-    """Drop blanks and arrows before an equation."""
+    """Drop blanks and arrows in front of an equation."""
     for sign, place, _ in walk_signs(latex.string):
         if not (sign.isspace() or sign in _LEADS or sign in _BLANK):
             return latex[place:]
@@ -235,7 +234,7 @@ def _drop_leads(latex: LocatedText) -> LocatedText:
 
 
 def _clean(latex: LocatedText) -> LocatedText:
-    """Drop what leads to an equation, and the stop behind it."""
+    """Drop titles, links and arrows in front of an equation, and the stop or range after it."""
     latex = latex.replace(_TITLE_AT_START, lambda _: "").replace(_LINK_AT_START, lambda _: "")
     latex = latex.replace(_FROM_AT_START, lambda _: "")
     latex = _drop_leads(latex).strip(end=".,;~")
@@ -249,23 +248,23 @@ def _clean(latex: LocatedText) -> LocatedText:
 
 
 def _find_list(string: str) -> re.Match[str] | None:
-    """Return the values behind an equation that an index of it takes."""
+    """Return the values after an equation that one of its indices takes."""
     found = _LIST.search(string)
     is_index = found and re.search(_INDEX.format(found[1]), string[: found.start()])
     return found if is_index else None
 
 
 def _drop_remarks(latex: LocatedText) -> LocatedText:
-    """Drop what a condition in a bracket is in words, unless they may exclude it."""
+    """Drop the words for a condition in brackets, unless they may exclude it."""
     return latex.replace(_CLOSED, lambda _: ")").replace(
         _REMARK, lambda found: found[0] if _EXCLUDING.search(found["words"]) else r"\quad("
     )
 
 
 def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
-    r"""Return an equation without the remark behind it, \quad\text{(loop 1)}, and that remark.
+    r"""Return an equation without the remark after it, \quad\text{(loop 1)}, and that remark.
 
-    Behind a number words may be its unit.
+    After a number the words are kept, as they may be its unit.
     """
     found = _BEHIND.search(latex.string)
     before = latex[: found.start()].strip(end=" .,;~") if found else latex
@@ -277,7 +276,7 @@ def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
 
 
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
-    """Yield the equations of a line that wide gaps part, or a word such as "or"."""
+    """Yield the equations of a line, separated by wide gaps or by a word such as "or"."""
     latex = _drop_remarks(latex)
     signs = list(walk_signs(latex.string))
     words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
@@ -301,7 +300,7 @@ def _drop_and(latex: LocatedText) -> LocatedText:
 
 
 def _until_gap(string: str) -> str:
-    """Return what stands between a gap and the next one."""
+    """Return the text between a gap and the next one."""
     signs = list(walk_signs(string))
     first = next((n for n, s in enumerate(signs) if not (s[0].isspace() or s[0] in _BLANK)), 0)
     ends = (place for sign, place, depth in signs[first:] if sign in _BLANK[:2] and depth == 0)
@@ -309,6 +308,6 @@ def _until_gap(string: str) -> str:
 
 
 def _is_equation(string: str) -> bool:
-    """Return whether a piece has an equals sign of its own and begins with no word."""
+    """Return whether a piece has an equals sign of its own and does not begin with a word."""
     is_word = string.lstrip().startswith((r"\text", r"\mbox", r"\mathrm{if", r"\mathrm{for"))
     return not is_word and any(s in _EQUALITY and not d for s, _, d in walk_signs(string))

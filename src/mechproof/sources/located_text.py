@@ -1,4 +1,4 @@
-"""Text that knows, character by character, where in which file it stands."""
+"""Text that knows the file and place of each of its characters."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Place:
 
 @dataclass(frozen=True)
 class LocatedText:
-    """Characters and, of each, where it stands in all that was read, one file after the other."""
+    """Characters, and the place of each in all files read, counted as if they were one text."""
 
     string: str
     offsets: Sequence[int]
@@ -38,14 +38,14 @@ class LocatedText:
         return LocatedText(self.string + other.string, (*self.offsets, *other.offsets))
 
     def strip(self, *, end: str = "") -> LocatedText:
-        """Return the text without blanks around it, nor the signs `end` behind it."""
+        """Return the text without blanks around it or the characters `end` at its end."""
         kept = self.string.rstrip().rstrip(end + " \t\n") if end else self.string.rstrip()
         # In \right. the point is the bracket.
         kept += "." if kept.endswith(r"\right") and self.string[len(kept) :][:1] == "." else ""
         return self[len(kept) - len(kept.lstrip()) : len(kept)]
 
     def replace(self, pattern: Pattern[str], make: Callable[[Match[str]], str]) -> LocatedText:
-        """Put other characters in the place of matches; they stand where their match begins."""
+        """Replace matches by other characters, which are located where their match begins."""
         parts, last = [], 0
         for match in pattern.finditer(self.string):
             parts.append(self[last : match.start()])
@@ -54,12 +54,12 @@ class LocatedText:
         return join([*parts, self[last:]])
 
     def put(self, string: str, place: int) -> LocatedText:
-        """Return other characters that all stand at a place of this text."""
+        """Return other characters, all located at a place of this text."""
         return LocatedText(string, (self.offsets[place],) * len(string))
 
 
 def join(parts: Sequence[LocatedText]) -> LocatedText:
-    """Return texts one behind the other."""
+    """Return texts joined one after the other."""
     offsets = tuple(chain.from_iterable(part.offsets for part in parts))
     return LocatedText("".join(part.string for part in parts), offsets)
 
@@ -72,14 +72,14 @@ class Files:
     contents: list[str] = field(default_factory=list)
 
     def add(self, name: str, content: str) -> LocatedText:
-        """Enter a file and return what stands in it."""
+        """Add a file and return its text."""
         start = sum(len(text) + 1 for text in self.contents)
         self.names.append(name)
         self.contents.append(content)
         return LocatedText(content, range(start, start + len(content)))
 
     def locate(self, offset: int) -> Place:
-        """Return the place that an offset of a text is."""
+        """Return the place in a file for an offset of a text."""
         starts = [0, *accumulate(len(text) + 1 for text in self.contents)]
         file = bisect_right(starts, offset) - 1
         before = self.contents[file][: offset - starts[file]]

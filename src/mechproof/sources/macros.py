@@ -1,4 +1,4 @@
-r"""What \newcommand, \def and others define, put in the place of its calls."""
+r"""Macros that \newcommand, \def and others define, expanded at their calls."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ _PARAMETER = re.compile(r"#(\d)")
 
 @dataclass(frozen=True)
 class Macro:
-    """A body with parameters #1, #2 ..., and of those in brackets the value where a call has none.
+    """A body with parameters #1, #2 ..., and for each the default value, None if it is required.
 
-    A call may have a star that changes nothing but sizes.
+    If it `has_star`, a call may have a star, which changes nothing but sizes.
     """
 
     body: str
@@ -46,7 +46,7 @@ class Macro:
 
 @dataclass(frozen=True)
 class Defined:
-    """A macro by its name, and from which place of the text on it is known."""
+    """A macro, its name, and the place of the text from which it is known."""
 
     name: str
     macro: Macro
@@ -54,7 +54,7 @@ class Defined:
 
 
 def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
-    """Return the macros that a text defines, in their order, and the text without these."""
+    """Return the macros that a text defines, in order, and the text without their definitions."""
     macros: list[Defined] = []
     parts, last, string = [], 0, text.string
     for match in _DEFINING.finditer(string):
@@ -71,7 +71,7 @@ def find_macros(text: LocatedText) -> tuple[list[Defined], LocatedText]:
 
 
 def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro], int]:
-    """Return the macros that are defined at a place, and where the definition ends."""
+    """Return the macros that are defined at a place, and the end of the definition."""
     new, specified, paired, starred, operator, environment = match.groups()[:6]
     defined, parameters, delimiter, let, other = match.groups()[6:]
     if let:
@@ -96,7 +96,7 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
     if operator:
         body = rf"\operatorname{starred}{{{body}}}"
     if delimiter:
-        # The macro takes what stands between two commands: \def\be#1\ee{…#1…}.
+        # The macro wraps the text between two commands: \def\be#1\ee{…#1…}.
         before, _, behind = body.partition("#1")
         is_pair = parameters == "#1" and behind and "#" not in before + behind
         return {name: Macro(before), delimiter: Macro(behind)} if is_pair else {}, end
@@ -113,10 +113,10 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
 
 
 def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
-    """Put the bodies of macros in the place of their calls.
+    """Replace calls of macros by their bodies.
 
-    What is put in stands where its call does. Raises `DocumentError` for macros in a circle and for
-    calls without their arguments.
+    A body is located where its call is. Raises `DocumentError` for macros that call each other in a
+    circle and for calls without their arguments.
     """
     done: list[LocatedText] = []
     for _ in range(MOST_CALLS):
@@ -130,7 +130,7 @@ def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
 
 
 def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
-    """Return what a call stands for, and where it ends."""
+    """Return the expansion of a call, and the end of the call."""
     given, end = [], found.end()
     end += macro.has_star and string.startswith("*", end)
     for default in macro.arguments:
@@ -146,13 +146,13 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
         end = argument[1]
     parts = _PARAMETER.split(_choose(macro.body, given))
     parts[1::2] = [(given[int(n) - 1 :] or [f"#{n}"])[0] for n in parts[1::2]]
-    # A space is needed where a command's name would run into a letter behind it.
+    # A space is needed where a command's name would run into the next letter.
     behind = string[end : end + 1]
     return join_signs([*parts, behind]).removesuffix(behind), end
 
 
 def _choose(body: str, given: Sequence[str]) -> str:
-    r"""Return a body with what it has for the arguments given: \IfValueT{#1}{^{#1}}."""
+    r"""Return a body with its tests for given arguments decided: \IfValueT{#1}{^{#1}}."""
     while found := _ASKING.search(body):
         ways, end = dict[str, str](), found.end()
         for way in found["ways"]:
@@ -164,7 +164,7 @@ def _choose(body: str, given: Sequence[str]) -> str:
 
 
 def _read_argument(string: str, place: int) -> tuple[str, int] | None:
-    """Return what stands in braces, or the next sign, and where it ends."""
+    """Return the content of braces, or the next sign, and its end; None if the text ends."""
     start = len(string) - len(string[place:].lstrip())
     if start >= len(string):
         return None

@@ -1,7 +1,7 @@
-r"""Files of a paper -> one text: LaTeX with what it inputs, or Markdown, without comments.
+"""Files of a paper -> one text: LaTeX with its inputs, or Markdown, without comments.
 
-The block of letters stands in comments (`%% mechproof` to `%% end`; in Markdown between
-`<!-- mechproof` and `-->`), or in a file beside the paper that is called like it, `.letters`.
+The block of letters is in comments (`%% mechproof` to `%% end`; in Markdown between
+`<!-- mechproof` and `-->`), or in a file next to the paper with the same name, `.letters`.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
 _MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
-# So is a directive, whose option lines may hold a label; comments are matched to skip them.
+# So is a directive, whose option lines may contain a label; comments are matched to skip them.
 _DIRECTIVE = re.compile(
     r"<!--.*?-->|^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$"
     r"(?P<options>(?:\n[ \t]*:[a-z-]+:[^\n]*)*)(?P<body>.*?)^[ \t]*(?P=fence)[ \t]*$",
@@ -43,7 +43,7 @@ _DIRECTIVE = re.compile(
 )
 _LABELLED = re.compile(r":label:[ \t]*(\S+)")
 _REFERENCE = re.compile(r"\{eq\}`([^`<>]+)`")
-# A formula that is a line of its own is a display.
+# A formula on a line of its own is a display.
 _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
 # A backslash that keeps Markdown from reading emphasis.
 _ESCAPED = re.compile(r"\\(_)")
@@ -64,9 +64,9 @@ class DocumentError(ValueError):
 
 @dataclass
 class Source:
-    """The text of a paper, the lines of its blocks of letters, and what was not found.
+    """The text of a paper, the lines of its blocks of letters, and the inputs that were not read.
 
-    What is piped in has no `folder`.
+    Piped text has no `folder`.
     """
 
     files: Files
@@ -78,7 +78,7 @@ class Source:
 
 
 def read_source(path: str, content: str | None = None) -> Source:
-    """Read a paper; `content` is what came from elsewhere, from stdin or a test.
+    """Read a paper; `content` is its text if it comes from elsewhere, from stdin or a test.
 
     Raises `DocumentError` for a file that cannot be read and for a block without an end.
     """
@@ -93,7 +93,7 @@ def read_source(path: str, content: str | None = None) -> Source:
 
 
 def is_file(name: str) -> bool:
-    """Return whether there is a file; an equation may be no name at all."""
+    """Return whether there is a file; an equation may be no valid name at all."""
     try:
         return Path(name).is_file()
     except (OSError, ValueError):
@@ -117,7 +117,7 @@ def _open(path: Path) -> str:
 
 
 def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> LocatedText:
-    """Return a file without comments, and in it the files that it inputs."""
+    """Return the text of a file without comments, with the files that it inputs inserted."""
     text = source.files.add(name, content)
     is_markdown = is_markdown_name(name)
     patterns = (_HIDDEN, _BLOCK) if is_markdown else (_BLOCK,)
@@ -144,7 +144,7 @@ def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> Lo
 def _drop_false(text: LocatedText) -> LocatedText:
     r"""Leave out the branches that are not printed: of \iffalse, and of an \ifdraft of the paper.
 
-    Such a decision is false until \drafttrue makes it true.
+    Such a switch is false until \drafttrue sets it.
     """
     decided = _DECIDED.findall(text.string)
     text = text.replace(_DECIDED, lambda _: " ")
@@ -170,7 +170,7 @@ def _drop_false(text: LocatedText) -> LocatedText:
 
 
 def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
-    """Put what a pattern encloses between the dollars of a display."""
+    """Turn the first group of each match of a pattern into a display between dollars."""
     parts, last = [], 0
     for match in pattern.finditer(text.string):
         parts += [text[last : match.start()], text.put("$$", match.start())]
@@ -180,7 +180,7 @@ def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
 
 
 def _show_directives(text: LocatedText) -> LocatedText:
-    """Write the formulas of directives as displays, with their labels, and refer to these."""
+    r"""Write the formulas of directives as displays with their labels, and references as \eqref."""
     parts, last = [], 0
     for match in _DIRECTIVE.finditer(text.string):
         if not match["fence"]:
@@ -216,7 +216,7 @@ def _insert(text: LocatedText, source: Source, above: tuple[str, ...]) -> Locate
 
 
 def _find(name: str, above: tuple[str, ...], place: Place, source: Source) -> Path | None:
-    """Return the file that is input; one that is not inside the folder of the paper is told."""
+    """Return the file that is input; record it as missing if the paper's folder lacks it."""
     if (folder := source.folder) is None:
         source.missing.append((place, f"{name} is not read: what is piped in has no folder"))
         return None

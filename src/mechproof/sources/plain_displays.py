@@ -1,6 +1,6 @@
 r"""Displays of packages and of old TeX -> those of amsmath: empheq, numcases, \eqalign, \over.
 
-What stands in the place of a command or an environment stands where that did.
+The replacement of a command or an environment is located where that was.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ BUILT_IN: Mapping[str, Macro] = {
 _LENGTH = r"-?(?:\d+\.?\d*|\.\d+)\s*(?:pt|e[mx]|[cm]m|mu|in|pc|bp)"
 _ROUND = r"(?:[^()]|\((?:[^()]|\([^()]*\))*\))*"
 _BOX = rf"f?colorbox(?:\s*{_GROUP})?\s*{_GROUP}|f(?:rame)?box"
-# Spellings that print like another one, which replaces them; a line break before one is kept.
+# Spellings that print like another one, which replaces them; a line break in front is kept.
 _ALIKE = tuple(
     (re.compile(rf"(?P<kept>\\\\)|{pattern}"), written)
     for pattern, written in (
@@ -101,7 +101,7 @@ _DELIMITER = re.compile(r"\\(?P<side>left|right)(?![A-Za-z])|\\.|[{}]", re.DOTAL
 
 @dataclass(frozen=True)
 class _Frame:
-    """What begins and what ends a display instead, and whether its rows have numbers."""
+    """The replacements for beginning and end of a display, and whether its rows have numbers."""
 
     head: str
     tail: str
@@ -109,7 +109,7 @@ class _Frame:
 
 
 def write_frames(text: LocatedText) -> LocatedText:
-    """Return a text with the environments of packages around displays as those of amsmath."""
+    """Return a text with packages' environments around displays replaced by those of amsmath."""
     parts, last, opened = [], 0, list[tuple[_Frame, int]]()
     for match in _FRAME.finditer(text.string):
         if not match["end"]:
@@ -142,7 +142,7 @@ def _write_frame(match: re.Match[str]) -> _Frame:
 
 
 def _hold_values(before: str, kind: str, *, has_numbered_rows: bool) -> _Frame:
-    """Return what a function is printed in whose values stand behind a brace."""
+    """Return the frame of a function whose values are printed after a brace."""
     head = rf"\begin{{equation}}{before}\begin{{{kind}}}"
     return _Frame(head, rf"\end{{{kind}}}\end{{equation}}", has_numbered_rows)
 
@@ -161,7 +161,7 @@ def write_plainly(body: LocatedText) -> LocatedText:
 
 
 def list_braced(latex: LocatedText) -> Iterator[LocatedText]:
-    r"""Yield what braces say of what they enclose, \underbrace{a}_{=b}, as equations b=a."""
+    r"""Yield the labels of braces that state equations, \underbrace{a}_{=b}, as b=a."""
     string = latex.string
     for match in _BRACED.finditer(string):
         end = find_brace(string, match.end())
@@ -177,7 +177,7 @@ def _write(written: str, match: re.Match[str]) -> str:
 
 
 def _write_conditions(body: LocatedText) -> Iterator[LocatedText]:
-    """Write the second column of cases, which is words with formulas, as formulas with words."""
+    r"""Write the second column of cases, words with formulas, as formulas with \text."""
     last = 0
     for match in _WORDED.finditer(body.string):
         yield body[last : match.start()]
@@ -188,7 +188,7 @@ def _write_conditions(body: LocatedText) -> Iterator[LocatedText]:
 
 
 def _part_words(text: str) -> str:
-    """Return words with formulas between dollars as formulas with words."""
+    r"""Return words with formulas between dollars as formulas with \text."""
     pieces = text.split("$")
     words = (rf"\text{{{piece}}}" if piece.strip(" ,.;~\n") else piece for piece in pieces[::2])
     formulas = [*pieces[1::2], ""]
@@ -196,7 +196,7 @@ def _part_words(text: str) -> str:
 
 
 def _write_fractions(text: LocatedText) -> LocatedText:
-    r"""Write {a\over b} as {\frac{a}{b}}; without braces around it, it is left."""
+    r"""Write {a\over b} as {\frac{a}{b}}; \over without braces around it is left unchanged."""
     for match in reversed(list(_OVER.finditer(text.string))):
         start = _find_group(text.string[: match.start()])
         end = None if start is None else find_brace(text.string, start)
@@ -210,7 +210,7 @@ def _write_fractions(text: LocatedText) -> LocatedText:
 
 
 def _find_group(string: str) -> int | None:
-    r"""Return where the group begins that a text leaves open, unless \\left began it."""
+    r"""Return the beginning of the group that a text leaves open, None if \left began it."""
     opened: list[int | None] = []
     for match in _DELIMITER.finditer(string):
         if match["side"] == "left" or match[0] == "{":

@@ -1,7 +1,7 @@
-r"""Tables of a text, LaTeX or Markdown -> rows of cells, with the places of these.
+r"""Tables of a text, LaTeX or Markdown -> rows of cells with their places.
 
-Rules are left out, cells that span columns or rows stand where they begin, and what
-`\multirow` holds in the rows below, too.
+Rules are left out; a cell that spans several columns is put in the first of them, and the content
+of `\multirow` is repeated in the rows below.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from mechproof.sources.paper_files import DocumentError
 
 _BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")
-# Arguments in braces before the rows.
+# Number of arguments in braces in front of the rows.
 _ARGUMENTS = {"tabular*": 2, "tabularx": 2, "tabulary": 2}
 _RULES = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|endhead|endfirsthead|endfoot|endlastfoot|centering)"
@@ -44,7 +44,7 @@ _PIPE = re.compile(r"\$[^$]*\$|\\.|\|")
 
 @dataclass(frozen=True)
 class TableCell:
-    """What stands in a cell, and where that is in all that was read."""
+    """The content of a cell, and its place in all that was read."""
 
     string: str
     offset: int
@@ -52,14 +52,14 @@ class TableCell:
 
 @dataclass(frozen=True)
 class Tabular:
-    """A table: where it begins, and its rows; all of them have the same number of cells."""
+    """A table: its place, and its rows, which all have the same number of cells."""
 
     offset: int
     rows: tuple[tuple[TableCell, ...], ...]
 
 
 def find_tabulars(text: LocatedText) -> Iterator[Tabular]:
-    """Yield the tables of a text that have a head and a row, in their order."""
+    """Yield the tables of a text with at least two rows, in order."""
     defined, plain = find_macros(text)
     found = [(match.start(), _read_pipes(plain, match)) for match in _PIPES.finditer(plain.string)]
     for match in _BEGIN.finditer(plain.string):
@@ -77,7 +77,7 @@ def find_tabulars(text: LocatedText) -> Iterator[Tabular]:
 
 
 def _find_body(text: LocatedText, match: re.Match[str]) -> LocatedText:
-    """Return what stands in an environment behind its arguments."""
+    """Return the content of an environment after its arguments."""
     kind, place, string = match[1], match.end(), text.string
     for _ in range(_ARGUMENTS.get(kind, 1)):
         option = _OPTION.match(string, place)
@@ -95,7 +95,7 @@ def _split(body: LocatedText) -> Iterator[LocatedText]:
 
 
 def _cut(line: LocatedText) -> list[TableCell]:
-    """Cut a line at its &."""
+    """Cut a line at each & outside brackets."""
     cells, start = [], 0
     for sign, place, depth in walk_signs(line.string):
         if sign == "&" and depth == 0:
@@ -105,7 +105,7 @@ def _cut(line: LocatedText) -> list[TableCell]:
 
 
 def _make(text: LocatedText) -> list[TableCell]:
-    """Return a cell, and empty ones for the further columns that it spans."""
+    """Return a cell, and empty ones for the other columns that it spans."""
     bare = text.strip()
     if not len(bare):
         return [TableCell("", text.offsets[0] if len(text) else 0)]
