@@ -1,8 +1,8 @@
 """The report: what was read, judged, proved and measured of papers, as pages for a browser.
 
-A static site of one stylesheet: a start page, a page for each paper and one for each quantity; or
-one file that holds them all. It needs no network and no script. In a notebook a paper, its ledger,
-a row and a mechanism show themselves from the same templates. Needs the `derive` extra.
+A static site with one stylesheet: a start page, a page for each paper and one for each quantity; or
+a single file that contains them all. It needs no network and no script. In a notebook a paper, its
+ledger, a row and a mechanism show themselves with the same templates. Needs the `derive` extra.
 """
 
 from mechproof.report.pages import check_file, join_pages

@@ -1,11 +1,11 @@
-"""Lines of a formula: MathML in, the pieces between which it may be broken out.
+"""Lines of a formula: takes MathML, returns the pieces between which it may be broken.
 
-No browser breaks a line within a formula. Its pieces are formulas of their own, which stand after
-each other as words do: they begin with a relation or with the sign of a term, or stand behind a
-comma. Only the first has the LaTeX, which is that of all.
+No browser breaks a line within a formula. The pieces are formulas of their own that follow each
+other as words do: each begins with a relation or with the sign of a term, or follows a comma. Only
+the first has the LaTeX, which is that of the whole formula.
 
-What is wide within a root, a fraction, high brackets or an entry is folded: a table whose cells
-stand beside each other, and below each other where there is no room, as the stylesheet says.
+A wide part inside a root, a fraction, tall brackets or an entry is folded: it becomes a table whose
+cells the stylesheet puts next to each other, or below each other if there is no room.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ ROOM, LEAST, GAP = 30.0, 8.0, 1.5
 FOLDED = "lines"
 STACKED = frozenset({"mfrac", "munder", "mover", "munderover", "mtable"})
 SCRIPTED = frozenset({"msub", "msup", "msubsup"})
-# Relative size of indices, as in MathML Core; widths, in letters, of a sign with the gaps around
-# it; and the signs that are set large.
+# Relative size of indices, as in MathML Core; width, in letters, of a sign with the gaps around it;
+# and the signs that are set large.
 SMALLER, SPACED = 0.71, 2.4
 BIG = "∑∏∫"
-# Widths by element, as long as these exist: each one is asked for at every depth above it.
+# Widths of elements, as long as these exist: each is requested at every depth above it.
 _widths: WeakKeyDictionary[Element, float] = WeakKeyDictionary()
 
 
 class Broken(NamedTuple):
-    """A formula in pieces, and of how many signs the widest is: as it is, and folded."""
+    """A formula in pieces, and the width of the widest in signs: unfolded, and folded."""
 
     pieces: Markup
     width: float
@@ -49,7 +49,7 @@ class Broken(NamedTuple):
 
 
 def write_broken(math: str, display: Display) -> Broken:
-    """Break a formula into pieces; what is wide within one is folded where lines are displayed."""
+    """Break a formula into pieces, folding wide parts inside them if it is displayed."""
     root = fromstring(math.replace(f' xmlns="{NAMESPACE}"', ""))
     if root.tag != "math":
         return Broken(Markup(math), measure(root), measure(root))
@@ -71,16 +71,16 @@ def _measure_both(parts: Sequence[Element]) -> tuple[float, float]:
 
 
 def measure(element: Element) -> float:
-    """Return roughly how many letters wide a formula is; folding it does not change that."""
+    """Return the approximate width of a formula in letters, which folding does not change."""
     if element not in _widths:
         _widths[element] = _measure(element, is_folded=False)
     return _widths[element]
 
 
 def _measure(element: Element, *, is_folded: bool) -> float:
-    """Return the width of an element: of things above each other, that of the widest.
+    """Return the width of an element; of stacked parts, the widest counts.
 
-    A root is wider by its sign.
+    The sign of a root adds one letter.
     """
     if element.tag == "annotation":
         return 0.0
@@ -100,9 +100,9 @@ def _measure(element: Element, *, is_folded: bool) -> float:
 
 
 def _fold(element: Element, room: float, *, is_large: bool) -> None:
-    """Fold what is wider than the room within an element, outermost parts first.
+    """Fold the parts of an element that are wider than the room, outermost parts first.
 
-    `is_large` says whether sums have their limits above and below them there.
+    `is_large` tells whether sums have their limits above and below them here.
     """
     if element.tag in ("msqrt", "mtd"):
         element[:] = _fold_row(list(_unpack(element)), room, is_large=is_large)
@@ -130,7 +130,7 @@ def _fold(element: Element, room: float, *, is_large: bool) -> None:
 
 
 def _fold_parts(parts: Sequence[Element], room: float, *, is_large: bool) -> None:
-    """Fold parts that stand beside each other: wide ones share the room that the others leave."""
+    """Fold parts next to each other: wide ones share the room that the others leave."""
     widths = list(map(measure, parts))
     wide = [width for width in widths if width > LEAST]
     left = max(LEAST, (room - sum(widths) + sum(wide)) / max(1, len(wide)))
@@ -143,7 +143,7 @@ def _fold_parts(parts: Sequence[Element], room: float, *, is_large: bool) -> Non
 
 
 def _fold_row(parts: list[Element], room: float, *, is_large: bool) -> list[Element]:
-    """Return the parts of a row, in a table of their lines where they need more than one."""
+    """Return the parts of a row, as a table of their lines if they need more than one."""
     if sum(map(measure, parts)) <= room:
         return parts
     lines = [*_fill(_break(parts, room), room)]
@@ -166,7 +166,7 @@ def _find_least(parts: list[Element], room: float) -> float:
 
 
 def _fill(pieces: Sequence[list[Element]], room: float) -> Iterator[list[Element]]:
-    """Put pieces on lines as long as there is room."""
+    """Yield lines filled with pieces as long as there is room."""
     line: list[Element] = []
     for piece in pieces:
         if line and sum(map(measure, line + piece)) > room:
@@ -177,7 +177,7 @@ def _fill(pieces: Sequence[list[Element]], room: float) -> Iterator[list[Element
 
 
 def _write(parts: Sequence[Element], display: Display, source: Element | None) -> str:
-    """Write a piece."""
+    """Write a piece as a formula of its own, with the LaTeX if `source` is given."""
     math = Element("math", {"xmlns": NAMESPACE, "display": "inline"})
     if display == "block":
         math.set("displaystyle", "true")
@@ -191,19 +191,19 @@ def _write(parts: Sequence[Element], display: Display, source: Element | None) -
 
 
 def _begin(parts: Sequence[Element]) -> None:
-    """Let a sign at the beginning keep the gaps that it has between two terms."""
+    """Make a sign at the beginning keep the gaps that it has between two terms."""
     if _sign_of(parts[0]) in BETWEEN and "form" not in parts[0].attrib:
         parts[0].set("form", "infix")
 
 
 def _is_tall(part: Element) -> bool:
-    """Tell whether a row has brackets that are as high as what they hold."""
+    """Return whether a row has brackets that are as tall as their contents."""
     fences = [p for p in part if p.get("fence") == "true" and p.get("stretchy") != "false"]
     return part.tag == "mrow" and bool(fences)
 
 
 def _unpack(row: Iterable[Element]) -> Iterator[Element]:
-    """List the elements of a row, and those of inner rows that nothing holds together."""
+    """Yield the elements of a row, and those of inner rows that need not be kept together."""
     for part in row:
         if part.tag == "mrow" and not part.attrib and not _is_tall(part):
             yield from _unpack(part)
@@ -212,7 +212,7 @@ def _unpack(row: Iterable[Element]) -> Iterator[Element]:
 
 
 def _break(parts: list[Element], most: float) -> list[list[Element]]:
-    """Break a row outside of its brackets, and pieces that are still wide within them, one deep."""
+    """Break a row outside its brackets, and wide pieces also inside brackets, one level deep."""
     found = [
         narrow
         for piece in _split(parts, 0)
@@ -229,7 +229,7 @@ def _break(parts: list[Element], most: float) -> list[list[Element]]:
 
 
 def _open(piece: list[Element]) -> list[list[Element]]:
-    """Break a piece within its brackets; leave it whole if what is wide is elsewhere."""
+    """Break a piece inside its brackets; leave it whole if the wide part is elsewhere."""
     within = list(_split(piece, 1))
     widest = max(sum(map(measure, part)) for part in within)
     return within if widest <= OPENED * sum(map(measure, piece)) else [piece]
@@ -256,13 +256,13 @@ def _sign_of(part: Element) -> str:
 
 
 def _count_open(parts: Iterable[Element]) -> int:
-    """Count opening less closing brackets; a power of a bracket is written at the closing one."""
+    """Count opening minus closing brackets; a power of a bracket is written at the closing one."""
     bases = [part[0] if part.tag in SCRIPTED else part for part in parts]
     return sum(_go_deeper(base, _sign_of(base)) for base in bases)
 
 
 def _go_deeper(part: Element, sign: str) -> int:
-    """Return 1 for a bracket that opens, -1 for one that closes; bars do as they are marked."""
+    """Return 1 for an opening bracket, -1 for a closing one, 0 else; bars as they are marked."""
     if sign == "|":
         return {"prefix": 1, "postfix": -1}.get(part.get("form", ""), 0)
     return (sign in OPENS) - (sign in CLOSES)

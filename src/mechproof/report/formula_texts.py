@@ -29,7 +29,7 @@ from mechproof.record.substitution import resolve
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 
-# Attributes that hold code to copy, and the usual names of their languages.
+# Attributes that hold code to copy -> the usual names of their languages.
 LANGUAGES = {
     "python": "Python",
     "c": "C",
@@ -39,9 +39,9 @@ LANGUAGES = {
     "structured_text": "Structured Text",
     "latex": "LaTeX",
 }
-# The most letters of a multiple of pi that is written as such.
+# Greatest length of a multiple of pi that is written as such.
 SHORT = 8
-# Number of letters of a line of code on a wide page.
+# Length of a line of code on a wide page.
 LINE = 64
 # Options are tied, so that no line breaks within one.
 C_REMARK = Markup(
@@ -59,9 +59,9 @@ class Formula:
     the kernel. `python` (NumPy), `array_api` (JAX, PyTorch and other libraries that follow that
     standard) and `octave` (also MATLAB) take numbers or arrays; `c` (C99; elementary functions
     written out, as in `mechproof emit c`), `javascript` and `structured_text` (IEC 61131-3) take
-    numbers. Where a language has no fused multiply-add, error-free products replace it. Numbers
-    read back exactly. An attribute raises NotImplementedError, with the reason, if its language
-    cannot compute the quantity.
+    numbers. In a language without fused multiply-add, error-free products replace it. Numbers are
+    written so that they read back exactly. An attribute raises NotImplementedError, with the
+    reason, if its language cannot compute the quantity.
     """
 
     name: str
@@ -129,7 +129,7 @@ class Formula:
         return render_script(self._kernel, self._paper, "structured_text")
 
     def _list_equations(self) -> Iterator[tuple[str, str]]:
-        """List the definitions of the quantity and of the symbols in it, as LaTeX."""
+        """Yield both sides of the definitions of the quantity and of its symbols, as LaTeX."""
         quantity, paper = self._kernel.quantity, self._paper
         name = write_latex(sp.Symbol(quantity.name), ())
         yield name, write_latex(quantity.definition, paper.variables)
@@ -170,7 +170,7 @@ def formula(name: str, *, derivations: str | os.PathLike[str] | None = None) -> 
 
 
 def write_header(paper: Paper) -> str:
-    """Return the C header of a paper, empty if it cannot have one."""
+    """Return the C header of a paper, "" if it cannot have one."""
     try:
         return render_c(paper)[f"{paper.system}.h"]
     except (ValueError, NotImplementedError):
@@ -180,7 +180,7 @@ def write_header(paper: Paper) -> str:
 def list_calls(
     quantity: Quantity, source: JudgedDerivation, header: str
 ) -> Iterator[tuple[str, str, str]]:
-    """Yield language, code and a remark for each way to compute a quantity."""
+    """Yield language, code and a remark for each way to call a quantity."""
     if quantity.call:
         yield "Python", quantity.call, ""
     if not (quantity.forms and source.home):
@@ -206,7 +206,10 @@ def list_calls(
 
 @dataclass(frozen=True)
 class Sources:
-    """The formula in other languages: the call for it, its texts, and why which have none."""
+    """The formula in other languages: the call for it, its texts, and the languages without one.
+
+    `refused` maps each reason to the languages that it rules out.
+    """
 
     call: str
     texts: tuple[tuple[str, str], ...]
@@ -214,7 +217,7 @@ class Sources:
 
 
 def write_sources(kernel: Kernel, source: JudgedDerivation) -> Sources:
-    """Write a kernel's formula in every language, each with the name that people call it."""
+    """Write a kernel's formula in every language, each with the usual name of the language."""
     paper = source.ledger.paper
     name, place = f"{paper.system}.{kernel.name}", source.location.parent.name
     given = "" if source.home == KERNELS else f', derivations="{place}"'
@@ -228,7 +231,7 @@ def write_sources(kernel: Kernel, source: JudgedDerivation) -> Sources:
 
 
 def _break_lines(call: str) -> str:
-    """Break a call that is longer than a line, behind commas."""
+    """Break a call that is longer than a line at its blanks."""
     lines = wrap(
         call, LINE, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False
     )
@@ -240,7 +243,7 @@ def _wrap(prototype: str) -> str:
 
 
 def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
-    """Write the first published sizes where they are numbers, else the names of arguments."""
+    """Write the first published sizes if they are numbers, otherwise the names of arguments."""
     sizes = paper.published[0].sizes if paper.published else {}
     for number, argument in enumerate(quantity.arguments):
         size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
@@ -249,7 +252,7 @@ def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
 
 
 def _write_number(size: sp.Expr) -> str:
-    """Write a size as code: a short multiple of pi as such."""
+    """Write a size as code: a short multiple of pi symbolically."""
     text = str(size)
     is_short = size.has(sp.pi) and len(text) <= SHORT
     return text.replace("pi", "np.pi") if is_short else f"{float(size):.12g}"

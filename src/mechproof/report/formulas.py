@@ -1,4 +1,4 @@
-"""Formulas: LaTeX or a quantity in, MathML or a sentence out; nothing in it is trusted."""
+"""Formulas: takes LaTeX or a quantity, returns MathML or a sentence; no input is trusted."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MARKED = re.compile(r"\{\\color\{(red|green)\}\{(.*)\}\}", re.DOTALL)
 
 
 def write_print(latex: str) -> Markup:
-    """Write a print of a paper: a paragraph where it has words, else formulas on their own."""
+    """Write a print of a paper: as a paragraph if it contains words, otherwise as formulas."""
     if not latex:
         return Markup("")
     if is_sentence(latex):
@@ -35,7 +35,7 @@ def write_print(latex: str) -> Markup:
 
 
 def write_block(latex: str) -> Markup:
-    """Write a formula on lines of its own; its widest piece says how small it has to be set."""
+    """Write a formula on lines of its own, with its width, by which the stylesheet scales it."""
     return Markup(FORMULAS.find(latex, "lines", _write_lines))
 
 
@@ -47,12 +47,12 @@ def _write_lines(latex: str, _: str) -> str:
 
 
 def write_lines(latex: str) -> Markup:
-    """Write different formulas, each on a line of its own: as a sentence where it has words."""
+    """Write different formulas, each on a line of its own, or as a sentence if it has words."""
     return Markup("").join(map(write_print, dict.fromkeys(_split(latex, GAP))))
 
 
 def write_sentence(latex: str) -> Markup:
-    """Write words as words, and the formulas between them as such."""
+    """Write words as words, and the formulas between them as formulas."""
     parts = (
         Markup(escape(_set_words(part))) if is_text else _write_within(part)
         for is_text, part in list_parts(latex)
@@ -61,7 +61,7 @@ def write_sentence(latex: str) -> Markup:
 
 
 def _set_words(words: str) -> str:
-    """Read words; no line begins with the sign of a percentage, (1)-(3) has a dash."""
+    """Read words; ties a percent sign to its number and joins (1)-(3) with a dash."""
     told = read_text(words).replace(" %", "\N{NO-BREAK SPACE}%")
     return told.replace(")-(", ")\N{EN DASH}(")
 
@@ -83,7 +83,7 @@ def _write_within(latex: str) -> Markup:
 
 
 def _write_inline(latex: str) -> Markup:
-    """Write a formula within words; what cannot be broken scrolls in a box of its own."""
+    """Write a formula within a sentence; one that cannot be broken scrolls in a box of its own."""
     math = write_formula(latex, "inline")
     if len(latex) <= LONG:
         return math
@@ -99,7 +99,7 @@ def _split(latex: str, gap: re.Pattern[str]) -> Iterator[str]:
 
 
 def write_definition(quantity: Quantity, paper: Paper) -> Markup:
-    """Write the formula behind the letter that it gives, or the name of the function."""
+    """Write the formula of a quantity after the letter that it defines, or the function's name."""
     definition, given = quantity.definition, paper.given
     printed = {v.symbol for v in paper.variables if v.latex}
     names = [s for s, value in given.items() if value == definition and s in printed]
@@ -117,7 +117,7 @@ def write_definition(quantity: Quantity, paper: Paper) -> Markup:
 
 
 def _take_in(formula: sp.Basic) -> sp.Basic:
-    """Move exponentials that stand before integrals inside, where they may cancel."""
+    """Move exponentials in front of integrals inside them, where they may cancel."""
     return formula.replace(
         lambda part: part.is_Mul and any(isinstance(f, sp.Integral) for f in part.args), _join
     )
@@ -133,25 +133,25 @@ def _join(product: sp.Mul) -> sp.Expr:
 
 
 def write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
-    """Write the symbols that the formula needs and that others give."""
+    """Write the definitions of the symbols that the formula uses."""
     for symbol in find_given(quantity.definition, quantity, paper):
         sides = (write_latex(side, paper.variables) for side in (symbol, paper.given[symbol]))
         yield write_block(" = ".join(sides))
 
 
-# The turn at which the stated bound of a position is told in radians, and the number of places
+# The turn for which the stated bound of a position is given in radians, and the number of places
 # tried in it.
 TURNS, PLACES = 10, 360
 
 
 def goes_on(quantity: Quantity) -> bool:
-    """Return whether a quantity is a position that goes on turn by turn."""
+    """Return whether a quantity is a position that increases from turn to turn."""
     running = quantity.arguments[0]
     return quantity.period is not None and quantity.unit == running.unit == "rad"
 
 
 def tell_turned(quantity: Quantity, paper: Paper) -> Markup:
-    """Tell in radians what is stated of a position in its tenth turn, at the published sizes."""
+    """Return the stated bound of a position in its tenth turn in radians, at published sizes."""
     if quantity.accuracy is None or not goes_on(quantity):
         return Markup()
     scale = quantity.accuracy.scale
@@ -170,7 +170,7 @@ def tell_turned(quantity: Quantity, paper: Paper) -> Markup:
 
 
 def _find_largest(size: sp.Expr, quantity: Quantity, table: PublishedSizes) -> float | None:
-    """Return the largest value in the tenth turn; None where a size or a function is missing."""
+    """Return the largest value in the tenth turn; None if a size or a function is missing."""
     running, *others = quantity.arguments
     sizes = {a.symbols[0]: table.sizes.get(a.symbols[0], a.default) for a in others}
     if any(value is None or isinstance(value, Toleranced) for value in sizes.values()):

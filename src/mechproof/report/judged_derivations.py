@@ -1,4 +1,4 @@
-"""Sources: a derivation with all that a report tells of it: verdicts, bounds, measurements."""
+"""Sources: a derivation with everything that a report shows: verdicts, bounds, measurements."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from mechproof.roundoff.certificate_files import find_certificate
 
 @dataclass(frozen=True)
 class JudgedDerivation:
-    """A derivation and its ledger; `home` is where its kernels are imported from, if they are.
+    """A derivation and its ledger; `home` is the package of its kernels, "" without kernels.
 
-    `told` is the paper whose forms say what is proved of their rounding errors; `checks` say of
-    rows, by their ids, whether Coq has checked them.
+    `told` is the paper whose forms state the proved bounds of their rounding errors; `checks` tell
+    by the ids of rows whether Coq has checked them.
     """
 
     location: Path
@@ -39,7 +39,7 @@ class JudgedDerivation:
 
 
 def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
-    """Find what was generated from a derivation and measured of it, in its folder `generated`.
+    """Return a derivation with the files generated from it and its measurements.
 
     Raises ValueError, naming the file, for a record or a certificate that cannot be read.
     """
@@ -62,13 +62,13 @@ def _is_packaged(location: Path) -> bool:
 
 
 def find_generated(location: Path) -> Traversable:
-    """Return the folder of what was generated from a derivation and measured of it."""
+    """Return the folder of the files generated from a derivation and of its measurements."""
     if _is_packaged(location):
         return files(KERNELS)
     return location.resolve().parent.parent / "generated"
 
 
 def read_records(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:
-    """Read what was measured of quantities by their full names, quickly if not otherwise."""
+    """Return the records of quantities by their full names, quick ones if there are no others."""
     found = find_all_files(folder)
     return [read_record(found[name]) for name in names if name in found]

@@ -1,6 +1,6 @@
-"""MathML: a formula of a paper in LaTeX in, an element that every browser shows alike out.
+"""MathML: takes a formula of a paper in LaTeX, returns an element that all browsers show alike.
 
-What was written before is kept from one run to the next.
+Written formulas are cached from one run to the next.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from mechproof.tools.cache import Store, make_key
 # Files that write formulas: an entry depends on them besides its LaTeX.
 WRITERS = tuple(map(Path(__file__).with_name, ("mathml.py", "breaks.py", "formulas.py")))
 PACKAGES = ("latex2mathml", "sympy")
-# The most entries that are kept; older ones are of old papers.
+# The most entries that are kept; the oldest, of old papers, are dropped.
 MOST_KEPT = 10_000
 Display = Literal["block", "inline"]
 # Attributes that elements may keep; all others, such as links and styles, are dropped.
@@ -36,22 +36,22 @@ ATTRIBUTES = frozenset({
 MICROMETRE = re.compile(r"\\mu\s*\\mathrm\s*(?:\{m\}|m(?![A-Za-z]))")
 UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
 ESCAPED = re.compile(r"\\([_%#&$ ])")
-# A colon after a name, which is not that of a quotient.
+# A colon after a name, as opposed to that of a quotient.
 COLON = (r"\colon", r"\text{:}\;")
 # SymPy's name for the angle of a vector, and the usual one.
 TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
-# Colours that mark what a correction takes away and puts in, as classes of the stylesheet.
+# Colours that mark what a correction removes and adds -> classes of the stylesheet.
 MARKS = {"red": "taken", "green": "put", "gray": "kept"}
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
-# Signs that may belong to a number, and what stands before such a sign.
+# Signs that may belong to a number, and the signs in front of such a sign.
 SIGNS, BEFORE_SIGNS = "+-−±∓", f"{OPENING},;:=<>≤≥⩽⩾≈→·"
 PRIMES = {"′": 1, "″": 2, "‴": 3}
 
 
 class KeptFormulas:
-    """What was written before, by the digest of its LaTeX and of what writes it."""
+    """A cache of written formulas, by the digest of their LaTeX and of the code writing them."""
 
     def __init__(self, store: Store) -> None:
         self.store = store
@@ -59,23 +59,23 @@ class KeptFormulas:
 
     @cached_property
     def known(self) -> dict[str, str]:
-        """Return the kept formulas, read once; entries that are no text are damaged."""
+        """Return the cached formulas, read once, without damaged entries, which are not text."""
         return {k: text for k, text in self.store.read().items() if isinstance(text, str)}
 
     @cached_property
     def version(self) -> str:
-        """Return the digest of what writes formulas."""
+        """Return the digest of the code that writes formulas."""
         return make_key(WRITERS, PACKAGES)
 
     def find(self, latex: str, display: str, write: Callable[[str, str], str]) -> str:
-        """Return the known text of a formula, or have it written."""
+        """Return the cached text of a formula, or have it written and cached."""
         key = sha256("\n".join((self.version, display, latex)).encode()).hexdigest()
         if key not in self.known:
             self.new[key] = self.known[key] = write(latex, display)
         return self.known[key]
 
     def keep(self) -> None:
-        """Keep what is new for the next run."""
+        """Store new formulas for the next run."""
         if self.new:
             self.store.write(dict(list({**self.store.read(), **self.new}.items())[-MOST_KEPT:]))
             self.new = {}
@@ -85,7 +85,7 @@ FORMULAS = KeptFormulas(Store("formulas.json"))
 
 
 def write_formula(latex: str, display: Display = "inline") -> Markup:
-    """Write a formula as MathML, with its LaTeX for who copies it; as code if it is no LaTeX."""
+    """Write a formula as MathML with its LaTeX for copying; as code if it cannot be converted."""
     return Markup(FORMULAS.find(latex, display, _convert))
 
 
@@ -136,7 +136,7 @@ def _mend(element: Element) -> None:
 
 
 def _tie_signs(row: Element) -> None:
-    """Set the sign of a number close to it, where nothing stands before it to be added to."""
+    """Set the sign of a number close to it unless something in front could be added to it."""
     before = None
     for part in row:
         if part.tag == "mo" and (part.text or "x") in SIGNS and _awaits_number(before):
@@ -153,7 +153,7 @@ def _awaits_number(before: Element | None) -> bool:
 
 
 def _pair_bars(row: Element) -> None:
-    """Set the bars of an amount close to it: the first of two opens, the second closes."""
+    """Set the bars of an absolute value close to it: the first of two opens, the second closes."""
     bars = [part for part in row if part.tag == "mo" and part.text == "|"]
     for place, bar in enumerate(bars if len(bars) % 2 == 0 else []):
         bar.set("form", "postfix" if place % 2 else "prefix")
@@ -171,7 +171,7 @@ def _join_primes(element: Element) -> None:
 
 
 def _raise_degrees(element: Element) -> None:
-    """Write degrees by their sign: a raised ring is a small thing."""
+    """Write degrees with their own sign: a raised ring is too small."""
     if element.tag == "msup" and "".join(element[1].itertext()) == "∘":
         element.tag = "mrow"
         for ring in element[1].iter("mo"):
@@ -179,7 +179,7 @@ def _raise_degrees(element: Element) -> None:
 
 
 def _keep_low(row: Element) -> None:
-    """Keep brackets around low contents as they are: stretched, they stand apart in some fonts."""
+    """Keep brackets around low contents unstretched, as some fonts set stretched ones apart."""
     fences = [child for child in row if child.get("fence") == "true"]
     if fences and not any(part.tag in TALL for part in row.iter()):
         for fence in fences:
@@ -187,7 +187,7 @@ def _keep_low(row: Element) -> None:
 
 
 def _close_numbers(row: Element) -> None:
-    """Close the gap before a decimal point whose decimals stand apart, as where they are marked."""
+    """Close the gap in front of a decimal point that is an operator, as in marked decimals."""
     for number, point in pairwise(list(row)):
         if number.tag == "mn" and point.tag == "mo" and point.text == ".":
             point.tag, point.attrib = "mn", {}
@@ -201,7 +201,7 @@ def _mend_name(element: Element, text: str) -> None:
 
 
 def _space_functions(row: Element) -> None:
-    """Set the name of a function apart from what it is applied to, and from what it multiplies."""
+    """Put a gap between the name of a function and its argument or the factor before it."""
     if row.tag not in ("mrow", "math", "mtd", "mstyle", "msqrt"):
         return
     parts = list(row)
@@ -237,5 +237,5 @@ def _multiplies(element: Element) -> bool:
 
 
 def read_text(text: str) -> str:
-    """Read what LaTeX escapes in words."""
+    """Read the escapes of LaTeX in words."""
     return ESCAPED.sub(r"\1", text).replace(r"\^{}", "^").replace("~", "\N{NO-BREAK SPACE}")

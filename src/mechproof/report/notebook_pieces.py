@@ -1,4 +1,4 @@
-"""Fragments: one thing in, the piece of a page that a notebook shows out."""
+"""Fragments: takes a single object, returns the piece of a page that a notebook shows."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _render(kind: str, **data: object) -> str:
 
 
 def _show_ledger(ledger: JudgedPaper) -> str:
-    """Show findings and rows; links would lead nowhere."""
+    """Show findings and rows, without links, which would lead nowhere."""
     anchors = name_anchors(row.number for row in ledger.judgements)
     symbols = name_symbols(ledger.paper)
     return _render(
@@ -68,7 +68,7 @@ def _show_mechanism(mechanism: Any) -> str:
 
 
 def read_parameters(text: str) -> dict[str, str]:
-    """Read what a class says of its parameters; several names may share a line."""
+    """Return the meanings of a class's parameters from its docstring; names may share a line."""
     section = SECTION.search(cleandoc(text))
     entries = ENTRY.findall(f"{section[1]}\n" if section else "")
     return {
@@ -83,7 +83,7 @@ def _write(value: object) -> str:
 
 
 def _draw_motion(mechanism: Any) -> Picture | None:
-    """Draw the motion of a mechanism; None for one without a motion."""
+    """Return a picture of the motion of a mechanism, None if it has none."""
     try:
         canvas = motion(mechanism)[0].figure
     except TypeError:

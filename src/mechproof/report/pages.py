@@ -1,7 +1,7 @@
-"""Layout: rows and other views in, pages and fragments out; every text from a paper is escaped.
+"""Layout: takes rows and other views, returns pages and fragments; all text is escaped.
 
-One file can hold all pages, each as a part of it. What is named in a page is named by its path,
-too, then, and its links lead within the file.
+One file can contain all pages as its parts. Ids in a page then begin with the path of the page, and
+links lead to places within the file.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ from mechproof.report.phrases import (
 from mechproof.sources.located_text import Place
 from mechproof.tools.made import ForeignFileError
 
-# Evidence beyond so many items is folded away.
+# Evidence beyond this number of items is folded away.
 SHOWN = 4
 NOTHING = Markup()
-# Letters of LaTeX beyond which a formula is folded away, and beyond which it is no more set.
+# Length of LaTeX above which a formula is folded away, and above which it is no longer typeset.
 LONG, LONGEST = 500, 3000
 MARKED = {**MARKS, "as typed": "its statement was typed by hand, not read from the print"}
 STYLESHEET = "report.css"
@@ -56,7 +56,7 @@ DOI = re.compile(r"(?<=doi )(10\.\d{4,9}/[^\s,;]*[\w/])", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Witness:
-    """One piece of evidence: what it is, where, and the two values."""
+    """A single piece of evidence: what it is, at which point, and the two values."""
 
     what: Markup
     at: Sequence[tuple[Markup, str]]
@@ -66,9 +66,9 @@ class Witness:
 
 @dataclass(frozen=True)
 class RowView:
-    """One row of a page; without a judgement `failure` says why.
+    """A row of a page; if it has no judgement, `failure` says why.
 
-    `place` is where it stands in a paper's own source, `sides` are what its two values are.
+    `place` is its place in a paper's own source, `sides` say what its two values are.
     """
 
     anchor: str
@@ -95,7 +95,7 @@ class RowView:
 
 
 def name_symbols(paper: Paper) -> dict[str, str]:
-    """Return how the paper prints the symbols that evidence names."""
+    """Return the prints of the symbols that evidence names."""
     printed = {str(v.symbol): v.latex[0] for v in paper.variables if v.latex}
     return {name: latex for name, latex in printed.items() if "#" not in latex}
 
@@ -106,9 +106,9 @@ def describe_row(
     symbols: Mapping[str, str],
     checks: Mapping[str, str] = MappingProxyType({}),
 ) -> RowView:
-    """Return the view of a judgement; `symbols` are those of its paper as it prints them.
+    """Return the view of a judgement; `symbols` map the paper's symbols to their prints.
 
-    `checks` say of rows, by their ids, whether Coq has checked them.
+    `checks` tell by the ids of rows whether Coq has checked them.
     """
     witnesses = tuple(_describe_evidence(item, symbols) for item in row.evidence)
     return RowView(
@@ -163,7 +163,7 @@ def _say_place(place: Place | None) -> str:
 
 
 def describe_print(row: Row, anchor: str) -> RowView:
-    """Return the view of a row that nobody has judged: what is printed, and how it is read."""
+    """Return the view of a row that nobody has judged: its print, and how it is read."""
     look = VerdictStyle("unjudged", "", "", "")
     return RowView(
         anchor, row.number, look, True, row.marks, write_print(row.printed_latex), row.read_as
@@ -180,17 +180,17 @@ def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:
 
 
 def render(template: str, **data: object) -> str:
-    """Render one template; data that it asks for and is not given is an error."""
+    """Render one template; missing data is an error."""
     return _environment().get_template(f"{template}{SUFFIX}").render(**data)
 
 
 def read_stylesheet() -> str:
-    """Return the one stylesheet."""
+    """Return the text of the stylesheet."""
     return files("mechproof.report").joinpath("templates", STYLESHEET).read_text(encoding="utf-8")
 
 
 def read_font() -> str:
-    """Return the rule of the stylesheet that holds the font of formulas."""
+    """Return the rule of the stylesheet that embeds the font of formulas."""
     font = files("mechproof.report").joinpath("font", "mechproof-math.woff2").read_bytes()
     data = b64encode(font).decode("ascii")
     source = f"url(data:font/woff2;base64,{data}) format('woff2')"
@@ -232,24 +232,24 @@ def _cite(text: str) -> Markup:
 
 
 def _say(name: str) -> str:
-    """Say the name of a module as words."""
+    """Write the name of a module as words."""
     return capitalise(name.replace("_", " ").replace("non ", "non-"))
 
 
-# The tag that every page has before its stylesheet, by which a report is recognised.
+# The tag that every page has in front of its stylesheet, by which a report is recognised.
 MADE = '<meta name="generator" content="mechproof '
 MOST_OF_HEAD = 1000
 
 _BODY = re.compile(r'<main id="main" class="page">\n(.*)</main>', re.DOTALL)
 _TITLE = re.compile(r"<h1>(.*?)</h1>", re.DOTALL)
-# Names in pictures are digests of what is drawn, and stay as they are.
+# Names in pictures are digests of what is drawn, and are kept.
 _PICTURE = re.compile(r"(<svg\b.*?</svg>)", re.DOTALL)
 _NAMING = re.compile(r'(?<=\s)(id|for|name|aria-labelledby|href)="([^"]*)"')
 
 
 @dataclass(frozen=True)
 class JoinedPage:
-    """A page as a part of the one."""
+    """A page as a part of the single file."""
 
     path: str
     title: str
@@ -257,12 +257,12 @@ class JoinedPage:
 
     @property
     def is_of_a_paper(self) -> bool:
-        """Tell whether it stands in the list of pages, which is as long as that of any page."""
+        """Return whether it is the page of a paper, which the list of pages shows."""
         return self.path.startswith("papers/")
 
 
 def check_file(file: Path) -> None:
-    """Raise `ForeignFileError` if the file exists and is no report."""
+    """Raise `ForeignFileError` if the file exists and is not a report."""
     if not file.exists():
         return
     if not file.is_file() or MADE.encode() not in file.read_bytes()[:MOST_OF_HEAD]:
@@ -270,7 +270,7 @@ def check_file(file: Path) -> None:
 
 
 def join_pages(files: Mapping[str, str]) -> str:
-    """Return one page of all pages of a report, the start page first."""
+    """Return a single page with all pages of a report, the start page first."""
     pages = {path: text for path, text in files.items() if path != STYLESHEET}
     joined = [_cut_out(path, text, pages) for path, text in pages.items()]
     return render("single", style=files[STYLESHEET], pages=joined)
@@ -295,7 +295,7 @@ def _rename(match: re.Match[str], path: str, pages: Container[str]) -> str:
 
 
 def _lead(link: str, path: str, pages: Container[str]) -> str:
-    """Return the link within the file where what it leads to is there."""
+    """Return the link to a place within the file if its target is there, otherwise the old link."""
     place, _, name = unquote(unescape(link)).partition("#")
     target = posixpath.normpath(posixpath.join(posixpath.dirname(path), place)) if place else path
     if target not in pages:

@@ -34,7 +34,7 @@ CONSEQUENCE = "consequence"
 
 @dataclass(frozen=True)
 class FindingView:
-    """A finding and its card, with where the rows stand that show it and that follow."""
+    """A finding and its card, with links to the row that shows it and to those that follow."""
 
     found: LedgerFinding
     card: Card
@@ -46,7 +46,7 @@ class FindingView:
 
 @dataclass(frozen=True)
 class Count:
-    """How many rows of a class have a verdict."""
+    """The number of rows of a class that have a verdict."""
 
     look: VerdictStyle
     number: int
@@ -62,7 +62,7 @@ class Total:
 
 @dataclass(frozen=True)
 class Entry:
-    """One thing of the sequence of a paper: a row, and where an equation begins with it."""
+    """An item in the sequence of a paper: a row, and the equation that begins with it, if any."""
 
     row: RowView
     begins: str = ""
@@ -71,7 +71,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class EquationLink:
-    """An equation of the index: its number, where it begins, and the gravest of its verdicts."""
+    """An equation of the index: its number, its anchor, and the gravest of its verdicts."""
 
     number: str
     anchor: str
@@ -91,7 +91,7 @@ class SymbolView:
 
 @dataclass(frozen=True)
 class Section:
-    """A part of the page: its rows in their order."""
+    """A part of the page: its rows in order."""
 
     key: str
     title: str
@@ -101,11 +101,11 @@ class Section:
 
 @dataclass(frozen=True)
 class PaperView:
-    """The page of a paper; of its `figures` the `loose` stand after no row.
+    """The page of a paper; the `loose` ones of its `figures` belong to no row.
 
-    `found` counts the verdicts of what is printed, `ours` those of our own rows on the page (those
-    of kernels stand on the pages of their quantities), `left` the rows of a paper's own source that
-    have none.
+    `found` counts the verdicts of printed rows, `ours` those of our own rows on the page (rows on
+    kernels are on the pages of their quantities), `left` the rows of a paper's own source that have
+    no verdict.
     """
 
     system: str
@@ -127,7 +127,7 @@ class PaperView:
 
 
 def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> PaperView:
-    """Describe a paper; `figures` have the number of the row after which each is shown."""
+    """Describe a paper; `figures` map names to the number of the row after which each is shown."""
     ledger = source.ledger
     paper = ledger.paper
     anchors = _name_all(ledger)
@@ -162,7 +162,7 @@ def _name_all(ledger: JudgedPaper) -> dict[str, str]:
 
 
 def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> FindingView:
-    """Describe a finding by the anchors of its paper's rows."""
+    """Describe a finding, given the anchors of its paper's rows."""
     return FindingView(
         found,
         make_card(found),
@@ -174,7 +174,7 @@ def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> Findin
 
 
 def count_totals(judgements: Sequence[Judgement]) -> Iterator[Total]:
-    """Count the verdicts of each class of rows; no sum over classes."""
+    """Yield the verdict counts of each class of rows, without a sum over classes."""
     for name in COUNTED:
         rows = [row for row in judgements if classify(row) == name]
         if rows:
@@ -229,7 +229,7 @@ def _list_sections(
 
 
 def _view_rows(source: JudgedDerivation, anchors: Mapping[str, str]) -> list[RowView]:
-    """View the paper's own rows; of those without a judgement, why they have none."""
+    """Return views of the paper's own rows; those without a judgement say why they have none."""
     ledger, about = source.ledger, (name_symbols(source.ledger.paper), source.checks)
     views = {j.number: describe_row(j, anchors[j.number], *about) for j in ledger.judgements}
     views |= {row.number: describe_left(row, anchors[row.number]) for row in ledger.left}
@@ -248,14 +248,14 @@ def _find_failure(source: JudgedDerivation, row: Row) -> str:
 
 
 def _strip_failures(source: JudgedDerivation) -> Iterator[str]:
-    """Yield what failed without the place of the file, which is not the reader's."""
+    """Yield the failures without the file's path, which means nothing to the reader."""
     return (text.removeprefix(f"{source.location}: ") for text in source.ledger.failures)
 
 
 def _place(
     views: Iterable[RowView], figures: Mapping[str, str], *, mark_equations: bool = False
 ) -> Iterator[Entry]:
-    """Put figures after their rows and mark where an equation begins whose number no row has."""
+    """Add figures to their rows, and an anchor to the first row of an equation that has none."""
     views = list(views)
     taken = {view.anchor for view in views}
     for view in views:
@@ -269,7 +269,7 @@ def _place(
 
 
 def _index_equations(entries: Sequence[Entry]) -> Iterator[EquationLink]:
-    """List the equations in the paper's order, each with the gravest verdict of its rows."""
+    """Yield the equations in the paper's order, each with the gravest verdict of its rows."""
     groups: dict[str, list[Entry]] = {}
     for entry in entries:
         if "ours" not in entry.row.marks and (equation := find_only_equation(entry.row.number)):
@@ -281,13 +281,13 @@ def _index_equations(entries: Sequence[Entry]) -> Iterator[EquationLink]:
 
 
 def list_prints(paper: Paper) -> list[RowView]:
-    """View the rows of a paper that nobody has judged."""
+    """Return views of the rows of a paper that nobody has judged."""
     anchors = name_anchors(row.number for row in paper.rows)
     return [describe_print(row, anchors[row.number]) for row in paper.rows]
 
 
 def _list_formulas(paper: Paper) -> Iterator[sp.Basic]:
-    """List formulas that tell how many indices a family has."""
+    """Yield formulas that show how many indices a family has."""
     yield from (quantity.definition for quantity in paper.quantities)
     yield from (row.says.rebuilt for row in paper.rows if isinstance(row.says, Equality))
 

@@ -1,4 +1,4 @@
-"""Words: how a verdict is said and shown to a reader, and what stands in the text of evidence."""
+"""Wording: how a verdict is named and shown to a reader, and how the text of evidence is set."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.proof.verdict import MEANINGS, State, Verdict
 
 @dataclass(frozen=True)
 class VerdictStyle:
-    """A verdict for a reader: a word, a sign beside its colour, and what it means."""
+    """A verdict for a reader: a word, a sign to go with its colour, and its meaning."""
 
     key: str
     word: str
@@ -53,8 +53,8 @@ LEFT: Mapping[State, VerdictStyle] = {
     )
 }
 
-# A minus sign of a number or a term: no letter, digit or bracket stands before it, and it is no
-# option.
+# A minus sign of a number or a term: it follows no letter, digit or bracket, and is not an
+# option's.
 SIGNED = re.compile(r"(?<![\w)\]\-.^])-(?=[\w.(|])")
 MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
@@ -109,7 +109,7 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
         (r"\bd (?=(?:phi|φ)_?\d)", "d"),
         (r"\bsqrt\((\w+)\)|\bsqrt(?=\()", r"√\1"),
         (r"(?<=\))-(?=\()", "\N{EN DASH}"),
-        # Straight quotes around words and in them; behind a number it is a prime.
+        # Straight quotes around and in words; after a number it is a prime.
         (r"(?<=[A-Za-z])'(?=[a-z])", "\N{RIGHT SINGLE QUOTATION MARK}"),
         (r'"([^"]+)"', "\N{LEFT DOUBLE QUOTATION MARK}\\1\N{RIGHT DOUBLE QUOTATION MARK}"),
         (
@@ -136,7 +136,7 @@ SET: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = 
 
 
 def look_of(verdict: str) -> VerdictStyle:
-    """Return how a verdict is shown; what is measured is a verdict of its own."""
+    """Return how a verdict is shown; anything measured is shown as a verdict of its own."""
     return LOOKS.get(verdict, MEASURED)
 
 
@@ -168,7 +168,7 @@ def set_prose(text: str) -> Markup:
 
 
 def _set_letters(text: str) -> str:
-    r"""Set letters of LaTeX by the signs themselves: \dot{\beta} is a letter with a dot."""
+    r"""Replace letters of LaTeX by their characters: \dot{\beta} is a letter with a dot."""
     signs = ACCENTED.sub(lambda one: GREEK.get(one[2], one[2]) + ACCENTS[one[1]], text)
     return BRACED.sub(r"_\1", MACRO.sub("", signs))
 
@@ -180,12 +180,12 @@ def _set_name(name: re.Match[str]) -> str:
 
 
 def set_reason(text: str) -> Markup:
-    """Set a reason as a sentence; one that begins with a letter of a formula keeps it."""
+    """Set a reason as a sentence with a capital, unless it begins with a letter of a formula."""
     is_word = re.match(r"[a-z]{2,}(?=[ .;]|$)|a (?=[a-z]{2})", text)
     begun = text[:1].upper() + text[1:] if is_word else text
     return set_prose(begun if begun.endswith((".", "?", "!")) or not begun else f"{begun}.")
 
 
 def set_value(text: str) -> str:
-    """Set a value that a point has: as a number, pi as its letter."""
+    """Set a coordinate of a point: as a number, with pi as its letter."""
     return set_numbers(re.sub(r"\bpi\b", "π", text)).replace("*", "·")

@@ -1,4 +1,4 @@
-"""Pictures: what was measured and what papers have as figures, as SVG that a page can hold."""
+"""Pictures: measurements and the figures of papers, as SVG for a page."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ UNSEEN = (
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture of a page: what it says and how it is drawn, in one element.
+    """A picture of a page: its title, its caption, and its drawing as a single element.
 
-    One that could not be drawn has the `failure` instead of the element.
+    One that could not be drawn has a `failure` instead of the element.
     """
 
     title: str
@@ -62,9 +62,9 @@ class Picture:
 
 @dataclass(frozen=True)
 class PictureTask:
-    """A picture that is to be drawn, and what stands in its place if it hangs or crashes.
+    """A picture to draw, and the `blank` one that replaces it if drawing hangs or crashes.
 
-    `key` is the digest of what it shows and of what draws it.
+    `key` is the digest of what it shows and of the code that draws it.
     """
 
     draw: Callable[[], Picture]
@@ -75,7 +75,7 @@ class PictureTask:
 def draw_pictures(
     tasks: Mapping[str, PictureTask], report: Callable[[str], None] = lambda text: None
 ) -> dict[str, Picture]:
-    """Draw the pictures that are not kept, on all processors; a failed one holds its failure."""
+    """Return all pictures, drawing those not cached on all processors; failed ones say why."""
     kept = KEPT.read()
     drawn = {name: Picture(**kept[t.key]) for name, t in tasks.items() if t.key in kept}
     names = [name for name in tasks if name not in drawn]
@@ -97,7 +97,7 @@ def _call(draw: Callable[[], Picture]) -> Picture:
 
 
 def list_charts(record: Record) -> dict[str, PictureTask]:
-    """List the charts of a quantity, one for each workload."""
+    """Return the charts of a quantity, one for each workload."""
     return {
         f"{record.quantity}, {workload}": PictureTask(
             partial(chart, record, workload, count),
@@ -117,7 +117,7 @@ def chart(record: Record, workload: str, count: int) -> Picture:
 
 
 def list_overview(records: Sequence[Record]) -> dict[str, PictureTask]:
-    """List the picture of all quantities where there are several."""
+    """Return the picture of all quantities if there are several."""
     if len(records) < 2:
         return {}
     lines = [line for record in records for line in write_lines(record)]
@@ -136,7 +136,7 @@ def overview(records: Sequence[Record]) -> Picture:
 
 
 def list_figures(place: Path) -> dict[str, PictureTask]:
-    """List the figures that a paper's folder states."""
+    """Return the figures that a paper's folder declares."""
     blanks = [
         Picture(figure.title, figure.caption, "", figure.name, figure.number or "", figure.after)
         for figure in find_figures(place)
@@ -158,14 +158,14 @@ def _key_figure(place: Path, blank: Picture) -> str:
 
 @cache
 def _digest_drawing() -> str:
-    """Return the digest of the code that draws figures, for the life of the process."""
+    """Return the digest of the code that draws figures, computed once per process."""
     program = [path for path in list_program() if path.relative_to(HERE).parts[0] not in UNSEEN]
     return make_key([*program, *sorted(Path(str(files(KERNELS))).rglob("*.py"))], ())
 
 
 @cache
 def _digest_charting() -> str:
-    """Return the digest of the code that draws charts, for the life of the process."""
+    """Return the digest of the code that draws charts, computed once per process."""
     return make_key(
         [p for p in list_program() if p.relative_to(HERE).parts[0] in CHART_SOURCES], ()
     )
@@ -176,7 +176,7 @@ def _key_chart(*parts: str) -> str:
 
 
 def draw_figure(place: Path, blank: Picture) -> Picture:
-    """Draw one figure of a paper; where that fails, say it without the place of the folder."""
+    """Draw one figure of a paper; if that fails, give the reason without the folder's path."""
     figure = next(f for f in find_figures(place) if f.name == blank.name)
     try:
         return replace(blank, svg=render_svg(figure))

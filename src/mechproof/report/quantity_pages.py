@@ -1,4 +1,4 @@
-"""Quantities: what can be computed, as the page of one says it."""
+"""Quantities: what can be computed, as the page of each one shows it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from mechproof.report.mathml import write_formula
 from mechproof.report.pages import RowView, describe_row, name_symbols
 from mechproof.report.phrases import VerdictStyle, look_of, set_numbers, set_prose
 
-# The most numbers of one argument with which a point is shown.
+# An argument with more numbers than this is shown by their count.
 MANY = 4
 # Remark on a form that is shipped together with one before it.
 TOGETHER = Markup("elsewhere; measured with the form above, as one kernel")
@@ -35,7 +35,7 @@ ArgumentView = tuple[Argument, Markup, str]
 
 @dataclass(frozen=True)
 class Costs:
-    """What a way loses and costs, as written; empty where nothing was measured.
+    """The errors and times of a way to compute, as text; empty if nothing was measured.
 
     `usual` is the error in usual calls, `absolute` the same in the unit of the quantity.
     """
@@ -49,7 +49,7 @@ class Costs:
 
 @dataclass(frozen=True)
 class FormView:
-    """One way to compute: its name, what is proved of it, what it loses and what it costs."""
+    """A way to compute: its name, what is proved of it, its errors and its times."""
 
     name: str
     is_shipped: bool
@@ -61,10 +61,10 @@ class FormView:
 
 @dataclass(frozen=True)
 class Measured:
-    """What the record says of the quantity: the worst error found, where, when and on what.
+    """What the record says of the quantity: the worst error found, where, when and how.
 
-    `usual` says what usual calls are, `absolute` what their error is told in besides eps; `swept`
-    tells the error of a position over some turns in radians.
+    `usual` says what usual calls are, `absolute` in which unit besides eps their error is given;
+    `swept` gives the error of a position over some turns in radians.
     """
 
     worst: str
@@ -148,7 +148,7 @@ def _name_charts(record: Record) -> Iterator[str]:
 def _list_rows(
     quantity: Quantity, source: JudgedDerivation, *, of_paper: bool
 ) -> Iterator[RowView]:
-    """View the rows of the paper's module that it rests on, or those on its sources."""
+    """Yield views of its rows in the paper's module if `of_paper`, else of those on its code."""
     judgements, paper = source.ledger.judgements, source.ledger.paper
     stated = {row.number for row in paper.rows}
     anchors, symbols = name_anchors(row.number for row in judgements), name_symbols(paper)
@@ -170,7 +170,7 @@ def _describe_arguments(
 
 
 def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:
-    """Yield the notes other than domain, accuracy and source, which have places of their own."""
+    """Yield the notes other than domain, accuracy and source, which are shown elsewhere."""
     for note in docstrings.list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
         if lead not in ("Domain", docstrings.TESTED, "Source"):
@@ -206,7 +206,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
 
 
 def _tell_usual(record: Record, quantity: Quantity) -> str:
-    """Say on which points usual errors are taken; a sweep ends after so many half turns."""
+    """Return the points of usual errors; a sweep ends after a number of half turns."""
     usual = find_usual_set(record)
     if goes_on(quantity) and usual.startswith("sweep"):
         return f"{usual}, over {SWEEP // 2} turns of {quantity.arguments[0].name}"
@@ -214,7 +214,7 @@ def _tell_usual(record: Record, quantity: Quantity) -> str:
 
 
 def _tell_swept(record: Record, quantity: Quantity) -> str:
-    """Tell the largest error of a position over some turns; a sweep keeps all other sizes."""
+    """Return the largest error of a position over some turns; a sweep keeps all other sizes."""
     usual, first = find_usual_set(record), record.ways[0].name
     errors = next((e for e in record.errors_of(first) if e.set == usual), None)
     if not (goes_on(quantity) and usual.startswith("sweep") and errors and errors.worst_at):
@@ -230,7 +230,7 @@ def _tell_searched(found: Searched, quantity: Quantity) -> str:
 
 
 def _tell_point(argument: Argument, value: object) -> str:
-    """Say what value an argument has; for many numbers only how many, as the record has them."""
+    """Return an argument and its value; of many numbers only the count, as in the record."""
     parts = value if isinstance(value, tuple | list) else [value]
     if len(parts) > MANY:
         rows = " in a matrix" if isinstance(parts[0], tuple | list) else ""
@@ -243,11 +243,11 @@ def _tell_point(argument: Argument, value: object) -> str:
 def _list_forms(
     quantity: Quantity, source: JudgedDerivation, record: Record | None
 ) -> Iterator[FormView]:
-    """List the forms with their verdicts of now, then what else was measured."""
+    """Yield the forms with their current verdicts, then the other ways measured."""
     judged = {j.number: j for j in source.ledger.judgements}
     count = len(quantity.shipped)
     for place, form in enumerate(quantity.forms):
-        # Losses and costs of the kernel are measured for all its forms together.
+        # Errors and times of the kernel are measured for all its forms together.
         measured = "" if 0 < place < count else form.name if place else "kernel"
         row = judged.get(number_form(quantity, form))
         view = _view_form(form, place < count, row, record, measured, source.told.variables)
@@ -283,7 +283,7 @@ def _view_form(
 
 
 def _find_costs(record: Record | None, way: str) -> Costs:
-    """Return the errors, the time per point of the first workload, and its ratio, as written."""
+    """Return the errors, the time per point of the first workload, and its ratio, as text."""
     if record is None:
         return Costs()
     usual = next((e for e in record.errors_of(way) if e.set == find_usual_set(record)), None)

@@ -1,8 +1,8 @@
-"""The site: derivations with their ledgers in, the files of the report out, and their folder.
+"""The site: takes derivations with their ledgers, returns the files of the report; its folder.
 
-Pages of a paper are kept while nothing changes them. What they show is known of folders of
-derivations: their ledgers and the files that these were made from, their own files, which draw the
-figures, and what was generated, measured and checked.
+Pages of a paper are cached until something changes them. All that they show is known for folders of
+derivations: their ledgers with the files that these were made from, their own files, which draw the
+figures, and everything generated, measured and checked.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ from mechproof.tools.made import STAGED, ForeignFileError, Made
 INDEX = "index.html"
 # Name of the list of the report's files, by which the next report knows what it may replace.
 LIST = "mechproof-report.sha256"
-# What is generated for readers, and lists of files: no page is made from it.
+# Files that no page is made from: those generated for readers, and lists of files.
 UNSHOWN = frozenset({".md", ".sha256", ".pyc"})
 UNSHOWN_NAMES = frozenset({"ledger.json"})
 
 
 @dataclass(frozen=True)
 class Legend:
-    """What is explained to the reader: only what occurs."""
+    """Everything explained to the reader: only what occurs."""
 
     looks: tuple[VerdictStyle, ...]
     marks: Mapping[str, str]
@@ -59,10 +59,11 @@ class Legend:
 
 @dataclass(frozen=True)
 class Share:
-    """What a report has of one paper: its pages, and what the start page says of it.
+    """The share of a paper in a report: its pages, and what the start page says of it.
 
-    `findings` are lines with their weights. `met` are the keys of the verdicts, the marks and the
-    rungs that occur, `measured` the quantities with records, `failures` what could not be drawn.
+    `findings` are lines with their weights. `met` are the keys of the verdicts, marks and rungs
+    that occur, `measured` the quantities with records, `failures` the pictures that could not be
+    drawn.
     """
 
     files: Mapping[str, str]
@@ -75,9 +76,9 @@ class Share:
 
 @dataclass(frozen=True)
 class Site:
-    """The text of every file by its path in the folder, and what could not be drawn.
+    """The text of every file by its path in the folder, and the pictures that could not be drawn.
 
-    `shares` are what it has of each paper, in their order.
+    `shares` are the shares of the papers, in their order.
     """
 
     files: Mapping[str, str]
@@ -91,12 +92,12 @@ def build_site(
     report: Callable[[str], None] = lambda text: None,
     kept: Mapping[Path, Share] | None = None,
 ) -> Site:
-    """Return the files of the report; a page shows where its picture could not be drawn.
+    """Return the files of the report; a page says so if its picture could not be drawn.
 
-    The same derivations and records give the same files. What is `kept` of a paper is taken as it
-    is, the ledgers of others have their papers. `report` is told what has been done.
-    Raises ValueError for a record that cannot be read and `DerivationError` for figures that
-    cannot be loaded.
+    The same derivations and records give the same files. A share that is `kept` is reused; the
+    ledgers of other papers must contain their papers. `report` is called with the progress. Raises
+    ValueError for a record that cannot be read and `DerivationError` for figures that cannot be
+    loaded.
     """
     kept = kept or {}
     sources = {
@@ -135,7 +136,7 @@ def build_site(
 
 
 def _list_pictures(sources: Iterable[JudgedDerivation]) -> Mapping[str, PictureTask]:
-    """List what papers have as figures, and the charts of their quantities."""
+    """Return the figures of papers and the charts of their quantities."""
     tasks: dict[str, PictureTask] = {}
     for source in sources:
         tasks |= list_figures(source.location)
@@ -147,7 +148,7 @@ def _list_pictures(sources: Iterable[JudgedDerivation]) -> Mapping[str, PictureT
 def _describe(
     source: JudgedDerivation, pictures: Mapping[str, Picture], systems: Sequence[str]
 ) -> Share:
-    """Write the pages of a paper and of its quantities, and what the start page says of it."""
+    """Write the pages of a paper and of its quantities, and its part of the start page."""
     own = _list_pictures([source])
     after = {name: pictures[name].after for name in list_figures(source.location)}
     paper, quantities = describe_paper(source, after), tuple(describe_quantities(source))
@@ -175,7 +176,7 @@ def _describe(
 
 
 def _list_met(paper: PaperView, quantities: Sequence[QuantityView]) -> Mapping[str, Sequence[str]]:
-    """List what occurs in the rows of a paper and in the forms of its quantities."""
+    """List the verdicts, marks and rungs in the rows of a paper and the forms of its quantities."""
     rows = [entry.row for section in paper.sections for entry in section.entries]
     rows += [row for quantity in quantities for row in (*quantity.rests_on, *quantity.rows)]
     forms = [form for quantity in quantities for form in quantity.forms]
@@ -225,9 +226,9 @@ def _find_legend(shares: Sequence[Share]) -> Legend:
 
 
 def check_folder(folder: Path) -> None:
-    """Raise `ForeignFileError` for what is no folder, or holds other things than a report.
+    """Raise `ForeignFileError` for a file, or a folder with anything but a report.
 
-    An empty folder and one that is not there are right.
+    An empty folder and one that does not exist are accepted.
     """
     if folder.exists() and not folder.is_dir():
         raise ForeignFileError(f"{folder}: is a file, a folder is needed")
@@ -243,14 +244,14 @@ def check_folder(folder: Path) -> None:
 def write_folder(folder: Path, files: Mapping[str, str]) -> None:
     """Replace the files of the last report by those of this one.
 
-    Raises `ForeignFileError` for a file that is in the way and is not of a report.
+    Raises `ForeignFileError` for a file in the way that does not belong to a report.
     """
     check_folder(folder)
     Made(folder, LIST).update(files)
 
 
 def load_shares(keys: Mapping[Path, str]) -> dict[Path, Share]:
-    """Return what is kept of each paper under its key; what cannot be read is as good as absent."""
+    """Return the cached share of each paper under its key; unreadable ones count as missing."""
     found = {}
     for place, key in keys.items():
         with suppress(KeyError, TypeError):
@@ -259,7 +260,7 @@ def load_shares(keys: Mapping[Path, str]) -> dict[Path, Share]:
 
 
 def keep_shares(keys: Mapping[Path, str], site: Site) -> None:
-    """Keep what a site has of each paper in the place of the last; not if a picture failed."""
+    """Store each paper's share of a site in place of its last one, unless a picture failed."""
     for (place, key), share in zip(keys.items(), site.shares, strict=True):
         if key and not share.failures:
             _store(place).write({key: asdict(share)})
@@ -270,9 +271,9 @@ def key_shares(
 ) -> dict[Path, str]:
     """Return the digests of all that the pages of each paper show.
 
-    Each page leads to those of all systems; `reads` are the digests of the ledgers' sources. It is
-    empty where not all of that is known: for other places than folders, and for a ledger that is
-    not kept.
+    Each page links to those of all systems; `reads` are the digests of the ledgers' sources. A
+    digest is empty if not all of this is known: if the place is not a folder, or its ledger is not
+    cached.
     """
     return {
         place: _key(place, systems, read) if read and place.is_dir() else ""
