@@ -1,4 +1,4 @@
-"""The words every layer shares: paper, row, statement, quantity, form.
+"""The records that all layers share: paper, row, statement, quantity, form.
 
 A derivation module fills these records and binds one `Paper` to the name `PAPER`.
 Nothing here decides anything: verdicts come from `mechproof.proof`, source code from

@@ -1,7 +1,7 @@
-"""SymPy's estimates of integrals, sums and products, which no proof may rest on.
+"""SymPy's estimates of integrals, sums and products, on which no proof may rest.
 
-To find the sign of a number SymPy evaluates it, and simplifies by that: the root of a square, a
-comparison. Of an integral it then adds up values at points and may miss a narrow peak.
+To find the sign of a number, SymPy evaluates it, and simplifies accordingly: the root of a square,
+a comparison. For an integral it then adds up values at points, and may miss a narrow peak.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _are_refused: ContextVar[bool] = ContextVar("_are_refused", default=False)
 
 @contextmanager
 def without_estimates() -> Iterator[None]:
-    """Let SymPy find no number for an integral, a sum or a product, in this thread alone."""
+    """Keep SymPy from estimating integrals, sums and products, in this thread only."""
     token = _are_refused.set(True)
     try:
         yield

@@ -1,4 +1,4 @@
-"""What a record may hold: exact numbers, and texts and names that code and files may have."""
+"""The content that a record may have: exact numbers, and texts and names fit for code and files."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ BLANKS = "\n\t"
 
 
 class RecordError(ValueError):
-    """A record that says something it cannot mean: a fault of the derivation, not of the paper."""
+    """A record with contents that make no sense: a fault of the derivation, not of the paper."""
 
 
 def make_exact(record: object, *names: str) -> None:
-    """Turn numbers and matrices of the named fields into SymPy's; refuse what is not exact."""
+    """Turn numbers and matrices of the named fields into SymPy's; refuse any that are not exact."""
     for name in names:
         value = getattr(record, name)
         if isinstance(value, sp.MatrixBase):
@@ -50,7 +50,7 @@ def make_exact(record: object, *names: str) -> None:
 
 
 def to_number(where: str, value: Any) -> float:
-    """Return a plain number, also for one of SymPy's; refuse what is not finite."""
+    """Return a finite plain number, also for one of SymPy's; raises `RecordError` for others."""
     if isinstance(value, Real | sp.Expr):
         try:
             number = value if isinstance(value, int | float) else float(value)
@@ -69,7 +69,7 @@ def is_name(name: object) -> bool:
 
 
 def check_name(what: str, name: object) -> None:
-    """Raise ValueError for what cannot name code and a file."""
+    """Raise ValueError for a name that cannot be used in code and for a file."""
     if not is_name(name):
         raise ValueError(
             f"{what} = {name!r}: it names code and files, so it must be of letters, digits and "
@@ -78,7 +78,7 @@ def check_name(what: str, name: object) -> None:
 
 
 def check_texts(record: Any, where: str) -> None:
-    """Raise ValueError for a text of a record, at any depth, with a character that is refused."""
+    """Raise ValueError if a text of a record, at any depth, has a character that is refused."""
     if isinstance(record, str):
         _check_text(record, where)
     elif isinstance(record, tuple):

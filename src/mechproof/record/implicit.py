@@ -1,4 +1,4 @@
-"""Roots: numbers that an equation and a bracket define, and what Newton's method makes of them."""
+"""Roots: numbers defined by an equation and a bracket, approximated by Newton's method."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _WITHIN = (*_ROUGH, sp.Piecewise, sp.Derivative, sp.Limit, ExprWithLimits, Appli
 
 
 class Implicit(ExprWithLimits):  # type: ignore[misc]
-    """What an expression, an unknown with its bracket, a start and a number of steps define."""
+    """A number defined by an expression, an unknown with its bracket, a start and steps."""
 
     is_real = True
 
     def __new__(cls, of: sp.Basic, bracket: Any, start: Any = None, steps: int = STEPS) -> Implicit:
-        """Take (unknown, low, high), or all of it as SymPy writes the parts of an expression."""
+        """Take (unknown, low, high), or all five parts as SymPy passes them on rebuilding."""
         parts = tuple(bracket)
         if len(parts) == 3:
             low, high = map(sp.sympify, parts[1:])
@@ -51,12 +51,12 @@ class Implicit(ExprWithLimits):  # type: ignore[misc]
 
     @property
     def start(self) -> sp.Expr:
-        """Return what the first step is taken from."""
+        """Return the place from which the first step is taken."""
         return self.args[1][3]
 
     @property
     def steps(self) -> int:
-        """Return how many steps are taken."""
+        """Return the number of steps."""
         return int(self.args[1][4])
 
     @property
@@ -67,7 +67,7 @@ class Implicit(ExprWithLimits):  # type: ignore[misc]
         return free.union(*(part.free_symbols for part in others))
 
     def step_from(self, place: sp.Expr) -> sp.Expr:
-        """Return where Newton's step from a place leads."""
+        """Return the place to which Newton's step from a place leads."""
         of = self.function
         return place - (of / sp.diff(of, self.unknown)).xreplace({self.unknown: place})
 
@@ -78,11 +78,12 @@ class Implicit(ExprWithLimits):  # type: ignore[misc]
 
 
 class Root(Implicit):
-    """The one place in a bracket at which an expression, or what an equation says, is zero.
+    """The only place in a bracket at which an expression is zero, or an equation true.
 
-    `Root(E - e*sin(E) - M, (E, M - 1, M + 1), start=M)`: that there is just one, and that Newton's
-    method gets there from the start (left out: the middle) in so many steps, is proved of every
-    kernel that computes it. Its derivatives are those of implicit functions.
+    `Root(E - e*sin(E) - M, (E, M - 1, M + 1), start=M)`: for every kernel that computes a root, it
+    is proved that there is exactly one, and that Newton's method reaches it from the start (by
+    default the middle) in the given number of steps. Its derivatives are those of implicit
+    functions.
     """
 
     def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
@@ -104,11 +105,11 @@ class Root(Implicit):
 
 
 class LastIterate(Implicit):
-    """Where Newton's method is after the last step towards a root."""
+    """The place that Newton's method has reached after its last step towards a root."""
 
     @classmethod
     def towards(cls, root: Root) -> LastIterate:
-        """Return it by the same parts."""
+        """Return the last iterate for the parts of a root."""
         return cls(*root.args)
 
 

@@ -1,4 +1,4 @@
-"""What functions of records have returned: a record with mappings in it has no hash."""
+"""Caching of functions of records: a record that contains mappings has no hash."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Found = TypeVar("Found")
 
 
 def remember_last(most: int) -> Callable[[Callable[Given, Found]], Callable[Given, Found]]:
-    """Return a decorator that keeps so many results, to be found by the very same arguments."""
+    """Return a decorator that caches the last `most` results, for identical argument objects."""
 
     def decorate(function: Callable[Given, Found]) -> Callable[Given, Found]:
         known: deque[tuple[tuple[object, ...], Found]] = deque(maxlen=most)
@@ -21,7 +21,7 @@ def remember_last(most: int) -> Callable[[Callable[Given, Found]], Callable[Give
         @wraps(function)
         def find(*given: Given.args, **named: Given.kwargs) -> Found:
             if named:
-                # Nothing is looked for by its name.
+                # Calls with keyword arguments are not cached.
                 return function(*given, **named)
             for before, found in known:
                 if len(before) == len(given) and all(map(is_, before, given)):

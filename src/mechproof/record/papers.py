@@ -43,8 +43,8 @@ WEIGHTS: Mapping[Weight, str] = MappingProxyType(
 class Check:
     """A check for a pocket calculator: a sentence with its numbers as {0}, {1}, ... computed.
 
-    The values are exact; they are shown in the unit, rounded to so many decimals. {0:4} shows the
-    number itself, without the unit, to 4 decimals.
+    The values are exact; they are shown in the unit, rounded to `decimals` decimals. {0:4} shows
+    the bare number, without the unit, to 4 decimals.
     """
 
     text: str
@@ -55,13 +55,13 @@ class Check:
 
 @dataclass(frozen=True)
 class Cost:
-    """What a fault makes at one place: the printed value, the right one, and their difference.
+    """The effect of a fault at one place: the printed value, the right one, and their difference.
 
-    `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
+    `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right`, the
     values are those of the two sides of the row. Units are those of
-    `mechproof.ledger.ledger_findings`. `names` are what the two values are called where neither is
-    plainly the right one; by default the first is the printed one, or what a convention gives when
-    read literally.
+    `mechproof.ledger.ledger_findings`. `names` are the names of the two values if neither is
+    plainly the right one; by default the first is the printed one, or the literal reading of a
+    convention.
     """
 
     where: str
@@ -75,10 +75,10 @@ class Cost:
 
 @dataclass(frozen=True)
 class FollowingRow:
-    """A row that holds the print of its cause in other letters, or only parts of it.
+    """A row that contains the print of its cause in other letters, or only parts of it.
 
-    `renamed` has what symbols of the cause are called in the row. `parts` pairs parts of the
-    cause's print with what stands for them in its correction (left out: the whole print).
+    `renamed` maps symbols of the cause to their names in the row. `parts` maps parts of the cause's
+    print to their replacements in its correction (by default the whole print).
     """
 
     row: str
@@ -90,10 +90,10 @@ class FollowingRow:
 class Finding:
     """A root cause: the row that shows it, what is wrong in a plain sentence, and what it costs.
 
-    `mend` is the number of a proved row whose print is the smallest mend, where that is less than
-    the correction of the row; `figure` is the name of a picture that shows the fault.
-    `follows` are the rows that are wrong for this reason alone: with the correction of the root in
-    the place of its print each of them is proved, which is a row of the ledger.
+    `mend` is the number of a proved row whose print is the smallest mend, if that is smaller than
+    the correction of the row; `figure` is the name of a picture that shows the fault. `follows` are
+    the rows that are wrong only for this reason: with the correction of the cause in place of its
+    print, each of them is proved, which is a row of the ledger.
     """
 
     row: str
@@ -107,7 +107,7 @@ class Finding:
 
     @property
     def followers(self) -> tuple[FollowingRow, ...]:
-        """Return what follows, a mere number as the row that holds the whole print."""
+        """Return what follows; a plain row number stands for a row with the whole print."""
         return tuple(FollowingRow(f) if isinstance(f, str) else f for f in self.follows)
 
 
@@ -122,9 +122,9 @@ class Toleranced:
 
 @dataclass(frozen=True)
 class PublishedSizes:
-    """Sizes that a paper prints, exact; a symbol that is left out is not printed.
+    """Sizes that a paper prints, exact; symbols without a printed size are left out.
 
-    `marks` say what they rest on.
+    `marks` state what they rest on.
     """
 
     source: str
@@ -136,12 +136,13 @@ class PublishedSizes:
 class Paper(Displayed):
     """A paper: its symbols, its rows in printed order, the quantities shipped from it.
 
-    `usual` are sizes as in practice of symbols that have no printed one: they decide nothing, but
-    a difference is shown at them first. `print` is the file of the paper's own source: what it has
-    besides the rows is judged as far as that needs no mechanics. `transcription` is the version of
-    the transcription that the rows were read from, a date or a number, and `sentences` how many it
-    numbers (S1, S2, ...); those that no row judges stand in `aside`, with the reason. With
-    `derivatives` the partial derivatives of each scalar quantity are kernels, too.
+    `usual` are practical sizes of symbols without a printed size: they decide nothing, but a
+    difference is shown at them first. `print` is the file of the paper's own source, whose prints
+    besides the rows are judged as far as that needs no mechanics. `transcription` is the version of
+    the transcription from which the rows were read, a date or a number, and `sentences` is the
+    number of its numbered sentences (S1, S2, ...); those that no row judges are listed in `aside`,
+    with the reason. With `derivatives`, the partial derivatives of each scalar quantity are
+    kernels, too.
     """
 
     system: str
@@ -190,16 +191,16 @@ class Paper(Displayed):
 
     @property
     def given(self) -> dict[sp.Symbol, sp.Expr]:
-        """Return the symbols that others give, in the order in which they are declared."""
+        """Return the symbols defined by others, with their values, in the order of declaration."""
         return list_given(self.variables)
 
     def list_relations(self, *parts: Part | None) -> tuple[sp.Basic, ...]:
-        """List the relations that hold wherever the paper and all parts of its domain speak."""
+        """Return the relations that hold in the domain of the paper and in all given parts."""
         return self.where + tuple(r for part in parts if part for r in part.where)
 
 
 def _check_sentences(paper: Paper) -> None:
-    """Refuse numbers of sentences that the transcription does not have, or that are aside, too."""
+    """Refuse numbers of sentences that the transcription lacks, and cited ones that are aside."""
     cited = {name for row in paper.rows for name in row.cites}
     known = {f"S{number}" for number in range(1, paper.sentences + 1)}
     where = f"paper {paper.system!r}"

@@ -1,6 +1,6 @@
 """The distinct parts of an expression, the symbols free in it, and its slopes, part by part.
 
-SymPy's own searches meet a part as often as it occurs, and begin anew for each question.
+SymPy's own searches visit a part as often as it occurs, and start anew for each question.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 _PLAIN = (*CIRCULAR, *ANGLES, sp.exp, sp.log)
 
 
-# Statements are taken one after another, so that few expressions are in use at once.
+# Statements are processed one after another, so that few expressions are in use at once.
 @lru_cache(maxsize=256)
 def list_parts(expression: sp.Basic) -> tuple[sp.Basic, ...]:
-    """List the expression and all within it, each once."""
+    """Return the expression and all expressions in it, each once."""
     found: dict[sp.Basic, None] = {}
     left = [expression]
     while left:
@@ -37,23 +37,23 @@ def list_parts(expression: sp.Basic) -> tuple[sp.Basic, ...]:
 
 
 def find_parts(expression: sp.Basic, *kinds: Any) -> set[Any]:
-    """Return the parts of some kinds."""
+    """Return the parts of the given kinds."""
     return {part for part in list_parts(expression) if isinstance(part, kinds)}
 
 
 def find_roots(expression: sp.Basic) -> set[Any]:
-    """Return the square roots, and the odd powers of such."""
+    """Return the square roots, and their odd powers."""
     powers = find_parts(expression, sp.Pow)
     return {power for power in powers if power.exp.is_Rational and power.exp.q == 2}
 
 
 def has_parts(expression: sp.Basic, *kinds: Any) -> bool:
-    """Return whether there are parts of some kinds."""
+    """Return whether there are parts of the given kinds."""
     return any(isinstance(part, kinds) for part in list_parts(expression))
 
 
 def replace_parts(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """Put values for parts, like SymPy's `xreplace`, which rebuilds a part each time it occurs."""
+    """Replace parts by values, like SymPy's `xreplace`, which rebuilds repeated parts each time."""
     known: dict[Any, Any] = dict(values)
 
     def visit(node: Any) -> Any:
@@ -86,7 +86,7 @@ def find_free(expression: sp.Basic) -> frozenset[sp.Basic]:
 
 @cache
 def _has_those_of_its_parts(kind: type[sp.Basic]) -> bool:
-    """Tell whether SymPy has no other rule for a class; some metaclasses hide the attribute."""
+    """Return whether a class has SymPy's default rule; some metaclasses hide the attribute."""
     rules = (vars(base)["free_symbols"] for base in kind.__mro__ if "free_symbols" in vars(base))
     return next(rules) is sp.Basic.free_symbols
 

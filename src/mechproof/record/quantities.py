@@ -13,31 +13,31 @@ from mechproof.record.exactness import RecordError, check_name, is_name, make_ex
 from mechproof.record.statements import Statement
 from mechproof.record.variables import Part
 
-# Prefix of the numbers of rows on the forms of a quantity, and before it that of rows on
-# derivatives.
+# Prefix of the numbers of rows on the forms of a quantity, and the prefix in front of it for rows
+# on derivatives.
 KERNEL = "kernel "
 DERIVATIVES = "derivatives of "
 
 
 class EmittedForm(Protocol):
-    """A form as its emitted source has it: what a proof compares."""
+    """A form as read back from its emitted source, for a proof to compare."""
 
     def output(self, *kept: sp.Symbol) -> sp.Basic:
-        """Return the value with every step inserted but the kept ones."""
+        """Return the value with every step inserted except the kept ones."""
 
     def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
-        """Return the value of a step with every step before it inserted but the kept ones."""
+        """Return the value of a step with every earlier step inserted except the kept ones."""
 
 
 @dataclass(frozen=True)
 class Chart:
-    """Coordinates over which rounding errors are bounded: the arguments by them, and their ranges.
+    """Coordinates in which rounding errors are bounded: the arguments in terms of them, and ranges.
 
-    What vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
-    the coordinate that is taken off by whole turns, its range being that of its size. `rest` is
-    what is left of it by the other coordinates, or half a turn and that (left out: it is one
-    itself). `text` says where the arguments are that this and the charts with the same text cover
-    together; empty, wherever the quantity has a value.
+    Whatever vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
+    the coordinate that is reduced by whole turns; its range is that of its size. `rest` is what
+    then remains of it in terms of the other coordinates, or half a turn plus that (by default it is
+    itself a coordinate). `text` says which arguments this chart covers together with the charts
+    that have the same text; empty means wherever the quantity has a value.
     """
 
     text: str
@@ -52,13 +52,13 @@ class Form:
     """One algebraic way to compute: an expression and the named rewrites applied to it in order.
 
     `key` ends the name of its function, <quantity>_<key>; the shipped form needs none. `when` is
-    the relation on the parameters under which it is taken instead of the forms after it. `bound`
-    is set for an approximation: a bound of |form - definition|. `states` makes the statement
-    that proves it from what was emitted (left out: it equals the definition), decided on `on`;
-    where false, `holds_on` may say where it is true. `source` is where it is printed. `charts`
-    cover the arguments for which its rounding errors are bounded, but for changes of the signs of
-    all arguments of a mirror; `proved` says what is certified of them and is filled in when it is
-    printed.
+    the relation on the parameters under which it is used instead of the forms after it. `bound` is
+    set for an approximation: a bound of |form - definition|. `states` makes the statement that
+    proves the form from the emitted source (by default that it equals the definition), decided on
+    `on`; if that is false, `holds_on` may say where it is true. `source` is where the form is
+    printed. `charts` cover the arguments for which its rounding errors are bounded, up to changes
+    of the signs of all arguments of a mirror; `proved` states what is certified of the errors and
+    is filled in when it is printed.
     """
 
     name: str
@@ -82,10 +82,11 @@ class Form:
 
 @dataclass(frozen=True)
 class Peer:
-    """A way to get the number that is no form: a solver, a spline, a simulation, a library.
+    """A way to get the number that is not a form: a solver, a spline, a simulation, a library.
 
-    `ordered`: it needs samples in order from 0 on. `slow`: measured on few points, timed at small
-    sizes only. `ours`: hand-written code of the package itself, which may need one of its extras.
+    `ordered`: it needs samples in order from 0 onwards. `slow`: measured on few points, timed at
+    small sizes only. `ours`: hand-written code of the package itself, which may need one of its
+    extras.
     """
 
     name: str
@@ -101,10 +102,10 @@ class Peer:
 class Argument:
     """An argument of a kernel.
 
-    One symbol: an array-like of any shape. Several symbols: components on the last axis.
-    One `IndexedBase`: a last axis of any length, or two for a symbol with two indices.
-    `usual` are the sizes met in practice, absolute values, as edges that rise: the ranges that
-    errors are kept for and that points and timed calls are drawn from.
+    One symbol: an array-like of any shape. Several symbols: components on the last axis. One
+    `IndexedBase`: a last axis of any length, or two for a symbol with two indices. `usual` are the
+    sizes met in practice, absolute values, as increasing edges: the ranges for which errors are
+    recorded and from which points and timed calls are drawn.
     """
 
     name: str
@@ -128,7 +129,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Scale:
-    """What an error is relative to: a name, an expression, and the symbols it is written with."""
+    """What an error is relative to: a name, an expression, and the symbols in that."""
 
     name: str
     expression: sp.Expr
@@ -146,10 +147,10 @@ class Scale:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The accuracy bound that the tests hold: |error| <= `ulp` * eps * |scale|.
+    """The accuracy bound that the tests enforce: |error| <= `ulp` * eps * |scale|.
 
-    Without a scale, of the value itself. It holds where the relations `within` are true; `where`
-    says so in words, where they are long.
+    Without a scale, the error is relative to the value itself. The bound holds where the relations
+    `within` are true; `where` puts those into words if they are long.
     """
 
     ulp: float
@@ -167,8 +168,8 @@ SLOPES = Accuracy(4)
 class Singular:
     """A set where a quantity is undefined, jumps, is steep or cancels, as an equation.
 
-    Integer symbols that are no variables of the paper run over all integers. `text` says what
-    happens there; it stands in the docstring of the kernel.
+    Integer symbols that are not variables of the paper run over all integers. `text` says what
+    happens there, for the docstring of the kernel.
     """
 
     equation: sp.Basic
@@ -177,7 +178,7 @@ class Singular:
 
 @dataclass(frozen=True)
 class Periodicity:
-    """What comes again in the running variable: a `period` on, the value is more by the `gain`."""
+    """Repetition in the running variable: after one `period`, the value is larger by `gain`."""
 
     period: sp.Expr
     gain: sp.Expr = sp.S.Zero
@@ -187,14 +188,13 @@ class Periodicity:
 class Quantity:
     """A function of a system and every form of it.
 
-    `definition` is the exact meaning (what accuracy is measured against). The kernel takes the
-    first of `forms` whose condition holds; the first without a condition ends it. The forms after
-    that one are rivals, each a function of its own. A quantity without forms is computed by
-    hand-written code, the first of its peers; `call` is how. `period` is the spacing of wrong
-    branches, `repeats` says how the running variable can be reduced.
-    `slopes` is the accuracy of its derivatives, where the bound holds and within; without it none
-    are shipped. `workloads` names calls to be timed by the arguments that vary (left out: the
-    first).
+    `definition` is the exact meaning, against which accuracy is measured. The kernel uses the first
+    of `forms` whose condition holds, up to the first without a condition. The forms after that one
+    are rivals, each a function of its own. A quantity without forms is computed by hand-written
+    code, the first of its peers; `call` is that call. `period` is the spacing of wrong branches,
+    `periodicity` says how the running variable can be reduced. `slopes` is the accuracy of its
+    derivatives, where the bound holds and its own relations, too; without it none are shipped.
+    `workloads` names calls to be timed by the arguments that vary (by default the first).
     """
 
     name: str
@@ -221,12 +221,12 @@ class Quantity:
 
     @property
     def has_families(self) -> bool:
-        """Say whether an argument is a family, of any number of members."""
+        """Return whether an argument is a family, with any number of members."""
         return any(isinstance(symbol, sp.IndexedBase) for symbol in self.symbols)
 
     @property
     def is_scalar(self) -> bool:
-        """Say whether it is one number of single numbers."""
+        """Return whether it is a single number that depends on single numbers."""
         return (
             len(self.symbols) == len(self.arguments)
             and not self.has_families

@@ -1,8 +1,8 @@
-"""Relations: an inequality as a number that is positive, or not negative; where one holds.
+"""Relations: an inequality as a number that is positive, or nonnegative; where one holds.
 
-Such are also what parts of an expression need to have values: roots, logarithms, integrals. What
-prints need and SymPy lacks are expressions of their own.
-Denominators are no matter here: a statement is judged where none of them is zero.
+The same numbers express what parts of an expression need to have values: roots, logarithms,
+integrals. Printed notions that SymPy lacks are expressions of their own.
+Denominators do not matter here: a statement is judged where none of them is zero.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
 
 
 class ValueWhere(sp.Function):  # type: ignore[misc]
-    """A first value where a second has one too, which is printed and cancels.
+    """A value that is defined only where a second, printed but cancelled expression is, too.
 
     Both are arguments: the value, and what is needed for it.
     """
 
     @property
     def precedence(self) -> int:
-        """Return that of the value, by which SymPy's printers put brackets around it."""
+        """Return the precedence of the value, by which SymPy's printers put brackets around it."""
         return int(precedence(self.args[0]))
 
     def _sympystr(self, printer: Any) -> str:
@@ -56,25 +56,26 @@ class ValueWhere(sp.Function):  # type: ignore[misc]
 
 
 class DerivativeWhere(ValueWhere):
-    """A derivative where the function has values; nothing is said of it elsewhere."""
+    """A derivative where the function has values; it is unspecified elsewhere."""
 
 
 class NthDerivative(sp.Function):  # type: ignore[misc]
     """The n-th derivative of an expression by a bound variable, at a place.
 
-    The arguments are the expression, its variable, the place and n; for a number it is worked out.
+    The arguments are the expression, its variable, the place and n; for a small number n it is
+    evaluated.
     """
 
     @classmethod
     def eval(cls, inside: sp.Expr, by: sp.Dummy, place: sp.Expr, order: sp.Expr) -> sp.Expr | None:
-        """Return the derivative of an order that is known, and not too high."""
+        """Return the derivative if its order is a known number of moderate size, else None."""
         if not (order.is_Integer and 0 <= order <= _HIGHEST_ORDER):
             return None
         return sp.diff(inside, (by, order)).xreplace({by: place})
 
     @property
     def free_symbols(self) -> set[sp.Basic]:
-        """Return those that are not bound."""
+        """Return the symbols that are not bound."""
         inside, by, place, order = self.args
         free: set[sp.Basic] = (inside.free_symbols - {by}) | place.free_symbols | order.free_symbols
         return free
@@ -96,7 +97,7 @@ class NthDerivative(sp.Function):  # type: ignore[misc]
 
 
 class AnyFunction(sp.Function):  # type: ignore[misc]
-    """A function of which only a name is said, or a derivative of it; real and smooth everywhere.
+    """A function known only by name, or a derivative of it; real and smooth everywhere.
 
     The arguments are the name, the order of the derivative, -1 for an antiderivative, and the
     argument.
@@ -124,16 +125,16 @@ class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
 
 
 def sum_distinct(term: sp.Expr, outer: sp.Symbol, inner: sp.Symbol, count: sp.Expr) -> sp.Expr:
-    """Sum of `term` over outer = 1..count and inner = 1..count, inner != outer."""
+    """Return the sum of `term` over outer = 1..count and inner = 1..count, inner != outer."""
     off_diagonal = term * (1 - sp.KroneckerDelta(outer, inner))
     return sp.Sum(off_diagonal, (inner, 1, count), (outer, 1, count))
 
 
 class Slack(NamedTuple):
-    """A number that must not be negative; if strict, it must not be zero either.
+    """A number that must not be negative and, if strict, not zero either.
 
-    A point is in a domain where all slacks of its relations are so. As a function of the point the
-    slack is what optimisation calls by this name: by how much a constraint is met.
+    A point is in a domain if this is true of the slacks of all its relations. As a function of the
+    point, it is the slack of optimisation: the margin by which a constraint is met.
     """
 
     value: sp.Expr
@@ -142,16 +143,17 @@ class Slack(NamedTuple):
 
 @lru_cache(maxsize=1024)
 def find_slack(relation: sp.Basic) -> Slack | None:
-    """Return the greater side of an inequality less the smaller; None for any other relation."""
+    """Return the greater side of an inequality minus the smaller; None for any other relation."""
     if not isinstance(relation, _ORDERS):
         return None
     return Slack(relation.gts - relation.lts, is_strict(relation))
 
 
 def solve(condition: sp.Basic, symbol: sp.Symbol) -> sp.Set:
-    """Return where a condition on one symbol holds.
+    """Return the set on which a condition on one symbol holds.
 
-    Of a polynomial SymPy is spared the search for a period, which costs a tenth of loading a paper.
+    For a polynomial, SymPy's search for a period is skipped, which takes a tenth of loading a
+    paper.
     """
     if isinstance(condition, sp.core.relational.Relational):
         polynomial = (condition.lhs - condition.rhs).as_poly(symbol)
@@ -161,13 +163,13 @@ def solve(condition: sp.Basic, symbol: sp.Symbol) -> sp.Set:
 
 
 def is_strict(relation: sp.Basic) -> bool:
-    """Tell whether an inequality leaves its boundary out."""
+    """Return whether an inequality excludes its boundary."""
     return isinstance(relation, _STRICT)
 
 
 @lru_cache(maxsize=1024)
 def is_comparison(relation: sp.Basic) -> bool:
-    """Tell whether a relation compares numbers as they are given, so that no rounding decides it.
+    """Return whether a relation compares only given numbers, so that no rounding decides it.
 
     Its sides are numbers, symbols, or absolute values of these.
     """
@@ -198,7 +200,10 @@ KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, s
 
 
 def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
-    """List the parts that lack a value in places, once each; none in sums, integrals and cases."""
+    """Return the parts that lack a value in places, once each, but none inside sums or cases.
+
+    Integrals, limits and derivatives of symbolic order are not entered either.
+    """
     found: dict[sp.Expr, None] = {}
     seen: set[sp.Basic] = set()
 
@@ -217,7 +222,7 @@ def list_partial(expression: sp.Basic) -> tuple[sp.Expr, ...]:
 
 
 def list_divisors(expression: sp.Expr) -> tuple[sp.Expr, ...]:
-    """List what an expression divides by; a tangent does by its cosine."""
+    """Return the expressions by which one divides, including a tangent's cosine."""
     found = dict.fromkeys(
         power.base
         for power in find_parts(expression, sp.Pow)

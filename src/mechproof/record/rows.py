@@ -1,4 +1,4 @@
-"""Rows: the lines of a paper's ledger, what they assert and what should be printed."""
+"""Rows: the entries of a paper's ledger, what they assert and what should be printed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Reading:
 class Correction:
     """What should be printed, and the statement whose proof makes it right.
 
-    Without `says` the LaTeX is read like the sign of the row that it corrects.
+    Without `says`, the LaTeX is read in the same way as the relation of the row that it corrects.
     """
 
     latex: str
@@ -50,7 +50,7 @@ class Correction:
 
     @property
     def statement(self) -> Statement:
-        """Return what the correction asserts; `ValueError` for LaTeX that has not been read."""
+        """Return the assertion; raises `ValueError` if the LaTeX has not been read."""
         if self.says is None:
             raise ValueError(f"correction {self.latex}: it has not been read")
         return self.says
@@ -62,7 +62,7 @@ class Correction:
 
 @dataclass(frozen=True, kw_only=True)
 class _Told:
-    """What is told of a row, or of one relation of its print."""
+    """Statements about a row, or about one relation of its print."""
 
     note: str = ""
     corrected: Correction | None = None
@@ -78,26 +78,26 @@ class _Told:
 
 @dataclass(frozen=True)
 class ChainLink(_Told):
-    """What one relation of a chain a = b = c has of its own; its words are those of `Row`."""
+    """The statements on one relation of a chain a = b = c; the fields are those of `Row`."""
 
     says: Statement | None = None
 
 
 @dataclass(frozen=True)
 class Row(_Told):
-    """One line of the ledger: what is printed and what it asserts.
+    """One row of the ledger: what is printed and what it asserts.
 
     `printed_latex` is the whole print, chains a = b = c included. Without `says` it is read: each
-    relation sign becomes a line of its own and asserts the relation of its two members.
+    relation sign becomes a row of its own, which asserts the relation of its two members.
 
-    `derived` is what our mechanics give for symbols of this print, or for a whole member; it takes
-    the place of the declared value. `residual` is what they give for left - right of an equation
-    between independent symbols. `substituted` is put into both members before they are compared
-    (tg(x/2) -> U). `defines` are symbols that the print introduces. `links` has by number, from
-    1 on, what one relation has instead. `cites` are the sentences of the transcription that the
-    row judges, by their numbers (S52). `quantities` are those, by their names, on whose pages a row
-    of ours stands, as their formulas or kernels rest on it. `read_as` is filled in by the reader,
-    and `divisors`: what the print divides by, and what it says does not any more.
+    `derived` is what our mechanics give for symbols of this print, or for a whole member, in place
+    of the declared value. `residual` is what they give for left - right of an equation between
+    independent symbols. `substituted` is put into both members before they are compared (tg(x/2) ->
+    U). `defines` are symbols that the print introduces. `links` has, by the numbers of relations
+    from 1 onwards, what applies to that relation instead. `cites` are the sentences of the
+    transcription that the row judges, by their numbers (S52). `quantities` names the quantities on
+    whose pages one of our own rows is shown, as their formulas or kernels rest on it. The reader
+    fills in `read_as`, and `divisors`: what the print divides by although `says` no longer does.
     """
 
     kind: ClassVar[Literal["equation", "claim", "datum"]]
@@ -123,7 +123,7 @@ class Row(_Told):
 
     @property
     def statement(self) -> Statement:
-        """Return what the row asserts; `ValueError` for a print that has not been read."""
+        """Return the assertion of the row; raises `ValueError` if its print has not been read."""
         if self.says is None:
             raise ValueError(f"row {self.number!r}: its print has not been read")
         return self.says
@@ -153,5 +153,5 @@ class Datum(Row):
 def ours(
     number: str, latex: str, says: Statement | None = None, marks: tuple[str, ...] = (), **more: Any
 ) -> Claim:
-    """Return a claim that no paper prints; `more` are further fields of `Row`."""
+    """Return a claim that no paper prints; `more` are other fields of `Row`."""
     return Claim(number, latex, says, marks=("ours", *marks), **more)

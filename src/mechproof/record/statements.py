@@ -27,12 +27,11 @@ class Differentiated:
 class Equality:
     """`printed` equals `rebuilt` everywhere on the domain (expressions or matrices).
 
-    The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
-    is built from the print itself, or from the declaration of the symbol that is printed,
-    `rebuilt_from` says so: equality proves nothing then. Two members of one print are both the
-    paper's: their faults are its own. `rebuilt` may be the derivatives of what is
-    `differentiated`, an entry for each letter: where both sides are one formula, only that is left
-    to be checked.
+    The two sides come from different sources: one is the paper's, one is derived. If `rebuilt` is
+    built from the print itself, or from the declaration of the printed symbol, `rebuilt_from` says
+    so: then equality proves nothing. Two members of one print are both the paper's, and so are
+    their faults. `rebuilt` may be the derivatives of the expression `differentiated`, an entry for
+    each letter: if both sides are the same formula, only the differentiation remains to be checked.
     """
 
     printed: sp.Basic
@@ -72,7 +71,7 @@ class Holds:
 class PrintedNumber:
     """`value` rounds to the decimal string `printed` (half a unit of its last place).
 
-    A power of ten may stand behind the digits: 2.1e5.
+    A power of ten may follow the digits: 2.1e5.
     """
 
     printed: str
@@ -87,12 +86,12 @@ class PrintedNumber:
 
     @property
     def half_place(self) -> sp.Rational:
-        """Return half a unit of the last place that is printed."""
+        """Return half a unit of the last printed place."""
         return find_last_place(self.printed) / 2
 
 
 def find_last_place(digits: str) -> sp.Rational:
-    """Return what the last digit of a decimal string counts: 0.01 for 2.15, 10**4 for 2.1e5."""
+    """Return the unit of the last digit of a decimal string: 0.01 for 2.15, 10**4 for 2.1e5."""
     number, _, power = digits.partition("e")
     return sp.Rational(10) ** (int(power or 0) - len(number.partition(".")[2]))
 
@@ -110,7 +109,7 @@ class Definition:
 
 @dataclass(frozen=True)
 class Conjunction:
-    """Every part is true; with `needs_first` the others say nothing if the first is not proved."""
+    """Every part is true; with `needs_first` the others mean nothing if the first is not proved."""
 
     parts: tuple[Statement, ...]
     needs_first: bool = False
@@ -124,7 +123,7 @@ class Conjunction:
 
 @dataclass(frozen=True)
 class Completion:
-    """The missing datum completed in one stated way, and what the statement then becomes."""
+    """The missing datum completed in one stated way, and the statement that results."""
 
     text: str
     says: Statement
@@ -138,8 +137,8 @@ class Completion:
 class Completions:
     """The paper lacks a datum, named here; two completions of it whose decisions are compared.
 
-    A symbol of the paper gets the `value` of each completion, which say the same of it; a datum
-    in words is completed by the words of each.
+    If the missing datum is a symbol of the paper, it gets the `value` of each completion, and their
+    statements are the same; a datum given in words is completed by the words of each.
     """
 
     missing: str | sp.Symbol
@@ -161,7 +160,7 @@ class Completions:
 
 @dataclass(frozen=True)
 class NotCheckable:
-    """The print asserts something, and what it would be compared with is lost or not printed."""
+    """The print asserts something, but what it would be compared with is lost or not printed."""
 
     lacks: str
 
@@ -172,7 +171,7 @@ class NotCheckable:
 
 @dataclass(frozen=True)
 class Unwritten:
-    """No kernel is written of a quantity: why, and what would mend that. It is never proved."""
+    """No kernel is written for a quantity: why, and what would mend that. It is never proved."""
 
     reason: str
 
@@ -191,7 +190,7 @@ Statement = (
 
 
 def list_parts(statement: Statement) -> Iterator[Statement]:
-    """Yield the parts of a conjunction, of conjunctions in it, too; else the statement itself."""
+    """Yield the parts of a conjunction, also of nested ones, or any other statement itself."""
     if isinstance(statement, Conjunction):
         for part in statement.parts:
             yield from list_parts(part)
@@ -205,17 +204,17 @@ def all_of(*parts: Statement) -> Conjunction:
 
 
 def less(left: sp.Expr, right: sp.Expr) -> Holds:
-    """State left < right, which SymPy is kept from deciding."""
+    """State left < right, keeping SymPy from deciding it."""
     return Holds(sp.Lt(left, right, evaluate=False))
 
 
 def not_above(left: sp.Expr, right: sp.Expr) -> Holds:
-    """State left <= right, which SymPy is kept from deciding."""
+    """State left <= right, keeping SymPy from deciding it."""
     return Holds(sp.Le(left, right, evaluate=False))
 
 
 def rounded(numbers: Iterable[str], values: Iterable[sp.Expr]) -> tuple[PrintedNumber, ...]:
-    """State that each value rounds to its number; `ValueError` for more of one than the other."""
+    """State that each value rounds to its number; raises `ValueError` for unequal counts."""
     return tuple(PrintedNumber(*pair) for pair in zip(numbers, values, strict=True))
 
 

@@ -1,6 +1,6 @@
-"""Substitution that captures nothing: a bound symbol gives way to a free one of the same name.
+"""Substitution without capture: a bound symbol is renamed if a free one of its name arrives.
 
-Sums of a few terms are written out here, too, and steps.
+Sums of a few terms, and step functions, are written out here, too.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ MOST_TERMS = 64
 
 
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """Put values for free symbols, all at once."""
+    """Replace free symbols by values, all at once."""
     arriving = {s for value in values.values() for s in find_free(value)} | values.keys()
     return replace_parts(release(expression, arriving), values)
 
 
 def put_found(expression: Any, found: Mapping[Any, sp.Expr | None]) -> Any:
-    """Put found values for parts in their places; an infinite one only for the whole expression."""
+    """Replace parts by the values found; an infinite value replaces only the whole expression."""
     known = {part: value for part, value in found.items() if value is not None}
     finite = {part: value for part, value in known.items() if not value.is_infinite}
     return known.get(expression, expression.xreplace(finite))
 
 
 def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """Substitute symbols that are given by others until only free ones are left."""
+    """Substitute symbols that are defined by others until only free ones are left."""
     for _ in range(len(given) + 1):
         found = find_free(expression) & given.keys()
         if not found:
@@ -56,7 +56,7 @@ def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:
 
 
 def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
-    """Return the parts of a node with other bound symbols; its outer limits may hold the inner."""
+    """Return the parts of a node with bound symbols renamed, also in the limits of inner ones."""
     body, limits = node.function, [tuple(limit) for limit in node.limits]
     for place, (bound, *ends) in enumerate(limits):
         if bound in names:
@@ -68,7 +68,7 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
 
 
 def write_steps(expression: sp.Basic) -> sp.Basic:
-    """Write functions that jump by floors and by pieces."""
+    """Write functions that jump as floors and pieces."""
     for kind, write in STEPS.items():
         if has_parts(expression, kind):
             expression = expression.replace(kind, write)
@@ -88,7 +88,7 @@ STEPS: Mapping[type[sp.Basic], Callable[..., sp.Expr]] = MappingProxyType(
 def write_sums_out(
     expression: sp.Basic, is_meant: Callable[[sp.Sum], bool] = lambda total: True
 ) -> sp.Basic:
-    """Write out the sums whose limits are numbers, none of many terms."""
+    """Write out the sums with numeric limits and few terms, as far as `is_meant` accepts them."""
 
     def is_short(node: sp.Basic) -> bool:
         if not isinstance(node, sp.Sum) or not is_meant(node):

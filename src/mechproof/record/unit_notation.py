@@ -1,4 +1,4 @@
-"""Units as they are written in brackets -> physical dimensions, and how large they are."""
+"""Units as they are written in brackets -> physical dimensions, and their sizes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.record.variables import ANGLE, LENGTH, NUMBER, Dimension, Variabl
 
 @dataclass(frozen=True)
 class Unit:
-    """A physical dimension, the size of the unit in that of SI (rad for angles), and its print."""
+    """A physical dimension, the size of the unit in SI units (rad for angles), and its print."""
 
     dimension: Dimension
     scale: sp.Expr = sp.S.One
@@ -94,7 +94,7 @@ _SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
     _FLUX / _CURRENT: _list_multiples("H", "uµμm"),
     _FLUX / LENGTH**2: _list_multiples("T", "m"),
 }
-# Angles and numbers have one dimension here.
+# Angles and numbers have the same dimension here.
 _ANGLES = {
     **{"rad": _TEN**0, "mrad": _TEN**-3, "deg": _DEGREE, "°": _DEGREE},
     **{"'": _DEGREE / 60, '"': _DEGREE / 3600},
@@ -102,7 +102,7 @@ _ANGLES = {
 _BASE: Mapping[str, Unit] = {
     **dict.fromkeys(("", "1", "-"), ONE),
     "%": Unit(NUMBER, _TEN**-2),
-    # Not a multiple of K, as its zero is another one.
+    # Not a multiple of K, as its zero differs.
     "°C": Unit(_TEMPERATURE, sp.nan),
     **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
     **dict.fromkeys(_BY_THE_MINUTE, Unit(ANGLE / _TIME, REVOLUTIONS)),
@@ -127,7 +127,7 @@ _JOINED = (
     *("per", "mu", "textmu"),
 )
 _MACRO = re.compile(r"\\([A-Za-z]+)\s*")
-# Powers that stand before a unit, as in \square\milli\metre.
+# Powers in front of a unit, as in \square\milli\metre.
 _RAISED = {"square": "squared", "cubic": "cubed"}
 _RAISED_BEFORE = re.compile(
     rf"\\(square|cubic)\s*((?:\\(?:{'|'.join(_JOINED)})\s*)*\\[A-Za-z]+\s*|\s[A-Za-z]+\s*)"
@@ -135,7 +135,7 @@ _RAISED_BEFORE = re.compile(
 _FACTOR = re.compile(
     r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+(?:/\d+)?)\}?)?\s*"
 )
-# What a bracket divides by, as in W/(m K), and a dot between units, as in kN.m.
+# The divisor in brackets, as in W/(m K), and a dot between units, as in kN.m.
 _BELOW = re.compile(r"/\s*\(([^()/]*)\)")
 _DOT = re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])")
 _BRACED = re.compile(r"\^\{(-?\d+)\}")
@@ -143,7 +143,7 @@ _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
 
 def _make_symbols() -> Iterator[Variable]:
-    """Yield the units of SI as letters that no print shows."""
+    """Yield the SI units as letters that no print shows."""
     for place, name in enumerate(_NAMES):
         dimension = Dimension(*(int(n == place) for n in range(len(_NAMES))))
         symbol = sp.Symbol(f"[{name}]", positive=True)
@@ -155,7 +155,7 @@ UNITS = tuple(_make_symbols())
 
 
 class UnitError(ValueError):
-    """A unit that is not known."""
+    """An unknown unit."""
 
 
 def is_share(unit: Unit) -> bool:
@@ -189,7 +189,7 @@ def is_unit(text: str) -> bool:
 def read_unit(text: str) -> Unit:
     """Return a unit such as mm, m/s^2, N m or 1/s.
 
-    Raises `UnitError` naming what is not known of it.
+    Raises `UnitError` naming the unknown part.
     """
     text = drop_braces(text.strip())
     text = _BELOW.sub(lambda below: "/" + re.sub(r"[\s·*]+", "/", below[1].strip()), text)
@@ -210,7 +210,7 @@ def read_unit(text: str) -> Unit:
 
 
 def name_in_si(dimension: Dimension) -> str:
-    """Return the unit of SI of a dimension: N where it has a name, else m^2 kg s^-1."""
+    """Return the SI unit of a dimension: N if it has a name, else a product such as m^2 kg s^-1."""
     named = _SCALES.get(dimension, {})
     if name := next((name for name, scale in named.items() if scale == 1), ""):
         return name
@@ -220,9 +220,9 @@ def name_in_si(dimension: Dimension) -> str:
 
 
 def weigh_unit(name: str) -> sp.Expr | None:
-    """Return a unit in symbols of those of SI; None for revolutions per minute.
+    """Return a unit in symbols of the SI units; None for revolutions per minute.
 
-    What holds for quantities holds for units of any size: their symbols are positive numbers.
+    A statement about quantities holds for units of any size: their symbols are positive numbers.
     """
     unit = read_unit(name)
     if unit.scale == REVOLUTIONS or not unit.scale.is_finite:
@@ -231,6 +231,6 @@ def weigh_unit(name: str) -> sp.Expr | None:
 
 
 def weigh(dimension: Dimension) -> sp.Expr:
-    """Return the unit of SI of a dimension in the symbols of those that it is made of."""
+    """Return the SI unit of a dimension in the symbols of the base units."""
     powers = zip(UNITS, dimension.powers, strict=True)
     return sp.Mul(*(v.symbol**power for v, power in powers))

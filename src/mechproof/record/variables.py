@@ -1,4 +1,4 @@
-"""What a paper's letters mean: its variables, how it prints the rest, and parts of the domain."""
+"""The meaning of a paper's letters: its variables, its other notation, and parts of the domain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ Power = int | Fraction
 class Dimension:
     """Exponents of the base quantities; angles and pure numbers have none.
 
-    That of the angle is kept beside them: it tells how a value is shown and is compared nowhere.
+    The exponent of the angle is kept besides: it decides how a value is shown but is never
+    compared.
     """
 
     length: Power = 0
@@ -44,7 +45,7 @@ class Dimension:
 
     @property
     def powers(self) -> tuple[Power, ...]:
-        """Return the powers of the base quantities, in their order above."""
+        """Return the powers of the base quantities, in the order of the fields."""
         return self._exponents[:-1]
 
     @property
@@ -66,14 +67,14 @@ FREQUENCY = Dimension(time=-1)
 
 @dataclass(frozen=True)
 class Variable:
-    r"""A symbol of the paper: what it means, its dimension, its values, its sign convention.
+    r"""A symbol of the paper: its meaning, its dimension, its values, its sign convention.
 
-    `within` is an interval (or `S.Naturals` for a count). `given` defines the symbol by
-    others (a = (R1 - R2)/2) and is substituted before anything is decided.
-    `latex` are the ways it is printed, whole idioms included (`\varphi_3'`, `\rho(\varphi_5)`,
-    `\frac{d\varphi_3}{d\varphi_1}`); without one it cannot be printed. A family (`IndexedBase`)
-    is printed with its indices, which `#` stands for (`K_#(t)`; left out: at the end, `_#`).
-    `letter` is how one of ours is set, whose name is a word; it is never read.
+    `within` is an interval (or `S.Naturals` for a count). `given` defines the symbol in terms of
+    others (a = (R1 - R2)/2) and is substituted before anything is decided. `latex` are the ways it
+    is printed, whole idioms included (`\varphi_3'`, `\rho(\varphi_5)`,
+    `\frac{d\varphi_3}{d\varphi_1}`); without one it cannot be printed. A family (`IndexedBase`) is
+    printed with its indices, for which `#` stands (`K_#(t)`; by default at the end, `_#`). `letter`
+    is how one of our own symbols, whose name is a word, is typeset; it is never read.
     """
 
     symbol: sp.Symbol | sp.IndexedBase | sp.MatrixSymbol
@@ -87,18 +88,18 @@ class Variable:
 
 
 def family_of(matrix: sp.MatrixSymbol) -> sp.IndexedBase:
-    """Return the family that the entries of a matrix are, where these are compared."""
+    """Return the family whose members stand for the entries of a matrix when these are compared."""
     return sp.IndexedBase(str(matrix.name), real=True)
 
 
 def list_given(variables: Iterable[Variable]) -> dict[sp.Symbol, sp.Expr]:
-    """Return the symbols that others give, with what they are."""
+    """Return the symbols that are defined by others, with their values."""
     return {v.symbol: v.given for v in variables if v.given is not None}
 
 
 @dataclass(frozen=True)
 class Scope:
-    """Letters that mean something else in the named rows; None: nothing, a bound index."""
+    """Letters with another meaning in the named rows; None makes one a bound index."""
 
     rows: tuple[str, ...]
     names: Mapping[str, sp.Symbol | sp.IndexedBase | sp.MatrixSymbol | None]
@@ -106,25 +107,25 @@ class Scope:
 
 @dataclass(frozen=True)
 class Notation:
-    r"""How a paper prints what is no symbol, as far as a reader has to be told.
+    r"""How a paper prints what is not a symbol, as far as a reader has to be told.
 
-    `factors` are names that a bracket after them multiplies (`a(1-e^2)`). `functions` adds to or
+    `factors` are names that multiply a bracket after them (`a(1-e^2)`). `functions` adds to or
     replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
-    integral printed without limits starts. `branch` is a letter that is 1 or -1: of a double sign
-    on one side only it says whether the upper one is meant. `indices` are the symbols of index
-    letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
-    are letters that depend on another: that one, and the symbols of their derivatives by it, the
-    first one first; a prime behind a bracket is a derivative by `primed`. `name_unit` returns the
-    unit that is printed so, nothing for what is none: units are read behind numbers then.
-    `weigh_unit` returns what such a unit is beside letters, in symbols of the units that it is made
-    of, nothing where it cannot stand there. `phases` are pairs of letters, or one and pi, that
-    stand side by side in an angle: a function without brackets takes both, `\cos\omega t`.
-    `dimensions` are those of letters with a unit: they tell the brackets that multiply one from
-    those that hold an argument. `called` are letters that are functions of one: what stands in a
-    bracket behind them is put for that, as it is for `bracketed` letters of `moving` and matrices,
-    which never stand without a bracket. `parameters` are the letters by which derivatives go that
-    are printed by one that these give, dy/dx of x(t) and y(t). `imaginary` is the letter of the
-    imaginary unit; e is Euler's number beside it.
+    integral printed without limits starts. `branch` is a letter that is 1 or -1: for a double sign
+    on one side only, it says whether the upper one is meant. `indices` are the symbols of index
+    letters (by default an integer symbol of that name). `scopes` are letters used twice. `moving`
+    maps letters that depend on another to that one, and to the symbols of their derivatives by it
+    in rising order; a prime after a bracket is a derivative by `primed`. `name_unit` returns the
+    name of a printed unit, "" if it is not one; with it, units are read after numbers. `weigh_unit`
+    returns such a unit, next to letters, in symbols of the units that it is made of, or None if it
+    cannot be used there. `phases` are pairs of letters, or of one and pi, that are adjacent in an
+    angle: a function without brackets takes both, `\cos\omega t`. `dimensions` are those of letters
+    with a unit: they distinguish brackets that multiply a letter from those that contain an
+    argument. `called` are letters that are functions of one letter: the content of a bracket after
+    them is put in for that letter, as it is for `bracketed` letters of `moving` and for matrices,
+    which never appear without a bracket. `parameters` maps letters by which derivatives are printed
+    to the letters on which those depend, dy/dx of x(t) and y(t). `imaginary` is the letter of the
+    imaginary unit; e is then Euler's number.
     """
 
     factors: tuple[str, ...] = ()
@@ -151,7 +152,7 @@ class Notation:
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the domain in words and in mathematics: narrower sets, further relations."""
+    """A part of the domain in words and in mathematics: narrower sets, additional relations."""
 
     text: str
     within: Mapping[sp.Symbol, sp.Set] = field(default_factory=lambda: MappingProxyType({}))
