@@ -168,7 +168,7 @@ def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[bounding.Bo
 
 
 def _tell(found: bounding.ProvedBound) -> list[str]:
-    """Return the lines about a bound: what is proved is rounded up, what is found down."""
+    """Return the lines about a bound; the proved bound is rounded up, the error found down."""
     kind = "relative error" if found.relative else "error"
     if found.open:
         return [f"{found.name}: no bound of the {kind} is proved where {found.open}"]

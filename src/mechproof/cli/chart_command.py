@@ -55,7 +55,7 @@ def figures(
         fail("\n".join(failures))
 
 
-# What was generated from derivations of one's own, where commands find these, too.
+# What was generated from the user's own derivations, where commands find it, too.
 OWN = Path("generated")
 Files = dict[str, Traversable]
 
@@ -98,7 +98,7 @@ def chart(
 
 
 def _read(folder: Path | None, names: tuple[str, ...]) -> list[Record]:
-    """Read the records with these names: quantity, system or system.quantity; all without."""
+    """Return the records with these names: quantity, system or system.quantity; by default all."""
     chosen = _choose(_list_sources(folder), names)
     if any(Path(str(file)).is_relative_to(OWN) for file in chosen.values()):
         say(f"records: {', '.join(sorted({str(Path(str(f)).parent) for f in chosen.values()}))}")
@@ -109,7 +109,7 @@ def _read(folder: Path | None, names: tuple[str, ...]) -> list[Record]:
 
 
 def _list_sources(folder: Path | None) -> list[Files]:
-    """List the files of the folder by quantity; without one those of ./generated, the package's."""
+    """Return the record files by quantity: of the folder, or of ./generated and the package."""
     sources = [find_all_files(OWN), find_files()] if folder is None else [find_files(folder)]
     found = [files for files in sources if files]
     if not found:
@@ -118,7 +118,7 @@ def _list_sources(folder: Path | None) -> list[Files]:
 
 
 def _choose(sources: list[Files], names: tuple[str, ...]) -> Files:
-    """Return the files of the first source that has a name; without names the first source."""
+    """Return the files of the first source that has each name; without names the first source."""
     if not names:
         return sources[0]
     chosen: Files = {}

@@ -110,7 +110,7 @@ def check(
 
 
 def _find_files(equations: list[str]) -> list[str]:
-    """Return the arguments if they are files; an equation stands alone."""
+    """Return the arguments if they are files, [] for an equation; refuse a mixture."""
     files = [text for text in equations if text == STDIN or is_file(text)]
     if len(files) == len(equations):
         return files
@@ -125,7 +125,7 @@ def _find_files(equations: list[str]) -> list[str]:
 def _check_files(
     files: list[str], *, draft: bool, show_all: bool, json_file: Path | None, limit: float
 ) -> set[str]:
-    """Check papers one after the other and return the outcomes that are met."""
+    """Check papers one after the other and return the outcomes that occur."""
     checked: list[CheckedPaper] = []
     for file in files:
         content = sys.stdin.read() if file == STDIN else None

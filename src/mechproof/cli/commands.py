@@ -49,7 +49,7 @@ app = typer.Typer(
     # Unlike the default, it fills the lines of a paragraph.
     rich_markup_mode="markdown",
 )
-# Command -> what it does; the words in capitals stand for what is here.
+# Command -> what it does; the words in capitals are replaced by names that exist here.
 EXAMPLES = {
     "verify": "judge all papers: findings first",
     "verify SYSTEM": "judge one; --all shows every row",

@@ -113,7 +113,7 @@ def emit_c(
     _write_all(emitted, out, must_have=bool(systems))
 
 
-# What is written of a system, by the name of the command.
+# What is written for a system, by the name of the command.
 SCRIPTS = {
     "octave": "Write each kernel as a function file for Octave or MATLAB, for numbers or arrays.",
     "array-api": "Write array functions for each system, for JAX, PyTorch and others.",
@@ -161,7 +161,7 @@ for _language, _text in SCRIPTS.items():
 
 
 def _refuse_quantities(names: list[str]) -> None:
-    """Refuse SYSTEM.QUANTITY: without an error there are whole systems only."""
+    """Refuse SYSTEM.QUANTITY: without --error only whole systems are written."""
     known = find_systems(packaged_directory())
     for name in names:
         system, dot, quantity = name.partition(".")
@@ -225,7 +225,7 @@ def _read_size(text: str) -> tuple[str, float | tuple[float, ...]]:
 
 
 def _write_all(emitted: Iterable[Emitted], out: Path, *, must_have: bool = False) -> None:
-    """Write files as they come; fail where a system must have some, and has none."""
+    """Write files as they come; fail if there `must_have` been some but there are none."""
     try:
         for one in emitted:
             if must_have and not one.files:

@@ -14,7 +14,7 @@ from mechproof.cli.options import Places, fail, find_places, refuse, say, show_p
 from mechproof.derivation import DerivationError, add_chosen
 from mechproof.tools.processes import WorkerError
 
-# Seconds for a quantity.
+# Time limit in seconds for one quantity.
 SEARCH_LIMIT = 300.0
 
 
@@ -56,7 +56,7 @@ def improve(
 
 
 def offer_forms(names: Sequence[str], places: Places, *, write: bool, limit: float) -> bool:
-    """Print a line for each quantity, and keep the forms if told; return whether none failed."""
+    """Print a line for each quantity, and keep the forms if `write`; return whether none failed."""
     from mechproof.improvement import Offer, find_offers
 
     directory = None if places.is_packaged else places.derivations

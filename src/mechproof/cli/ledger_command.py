@@ -1,4 +1,4 @@
-"""The ledger on a terminal: findings, rows, totals; full lines where it is piped."""
+"""The ledger on a terminal: findings, rows, totals; untruncated lines if it is piped."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ POINTER = (
 )
 
 
-# What a mend takes out of a print and puts in, as in a comparison word by word.
+# What a mend removes from a print and adds to it, marked as in a word diff.
 TAKEN = Style("[-{}-]".format, "-]{}[-".format)
 PUT = Style("{{+{}+}}".format, "+}}{}{{+".format)
 OPEN = (Verdict.UNDECIDED, Verdict.ENCLOSED)
@@ -45,7 +45,7 @@ MORE = "--findings shows what is right, and why; --all shows every row, with its
 def print_ledgers(ledgers: Sequence[Ledger], *, show_findings: bool, show_all: bool) -> None:
     """Print a line for each finding, the gravest first, what is open, and the totals: one screen.
 
-    Before them come the cards of all findings, or every row of every paper, if asked for.
+    If requested, the cards of all findings or every row of every paper come first.
     """
     findings = sort_findings(ledgers)
     for found in findings if show_findings else ():
@@ -70,7 +70,7 @@ def print_ledgers(ledgers: Sequence[Ledger], *, show_findings: bool, show_all: b
 
 
 def _print_lines(findings: Sequence[LedgerFinding]) -> None:
-    """Print what is wrong where, and what it costs first, on a line each."""
+    """Print on a line each where something is wrong, its verdict, and its first cost or weight."""
     cells = [
         (
             f"{f.system} {f.number}",
@@ -94,7 +94,7 @@ def _print_lines(findings: Sequence[LedgerFinding]) -> None:
 
 
 def count(things: Sequence[object], name: str) -> str:
-    """Say how many things there are."""
+    """Return the number of things with their name, in the plural if necessary."""
     return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
 
 
@@ -111,7 +111,7 @@ def _print_paper(ledger: Ledger) -> None:
 
 
 def print_left(rows: Sequence[Left]) -> None:
-    """Print the rows that have no verdict by how far they got, those of one cause together."""
+    """Print the rows without a verdict by how far they got, grouped by cause."""
     for state in (State.NOT_READ, State.NOT_JUDGED, State.SKIPPED):
         met = [row for row in rows if row.state is state]
         causes = dict.fromkeys((row.reason, row.remedy) for row in met)
@@ -186,7 +186,7 @@ def _print_padded(rows: Sequence[Sequence[str]]) -> None:
 
 
 def print_details(row: Judgement, names: tuple[str, str] | None = None) -> None:
-    """Print all that the ledger has of a row; `names` are those of its two sides."""
+    """Print all that the ledger has on a row; `names` are those of its two sides."""
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
     lines = [("stands at", str(row.place))] if row.place else []
     lines += [("printed", _plain(row.printed_latex))]
@@ -219,6 +219,6 @@ def _print_fields(lines: Sequence[tuple[str, str]]) -> None:
 
 
 def _plain(latex: str) -> str:
-    r"""Drop the \text{} around a sentence."""
+    r"""Return a sentence without the \text{} around it, any other LaTeX unchanged."""
     sentence = re.fullmatch(r"\\text\{([^\\{}]*)\}", latex)
     return sentence[1] if sentence else latex

@@ -1,4 +1,4 @@
-"""What commands ask for and say: options, the places of derivations, full lines, progress."""
+"""Common parts of commands: options, the places of derivations, unwrapped output, progress."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ RULE = (
 
 
 def say(text: str | Text) -> None:
-    """Print to stdout; what is piped or kept in a file is not wrapped."""
+    """Print to stdout; output that is piped or redirected is not wrapped."""
     console.print(text, markup=False, soft_wrap=not console.is_terminal)
 
 
 def refuse(message: str) -> NoReturn:
-    """End with 2: bad usage."""
+    """Exit with status 2: bad usage."""
     _complain(message)
     raise typer.Exit(2)
 
 
 def fail(message: str) -> NoReturn:
-    """End with 1: what was asked for failed."""
+    """Exit with status 1: the request failed."""
     _complain(message)
     raise typer.Exit(1)
 
@@ -53,7 +53,7 @@ def _complain(message: str) -> None:
 
 @contextmanager
 def show_progress(title: str) -> Iterator[Callable[[str], None]]:
-    """Show what is at work on a terminal; drawn when told, as a thread could not be forked."""
+    """Show progress on a terminal, redrawn only on reports, as forking is unsafe with a thread."""
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     errors.print(title, markup=False, soft_wrap=True)
     progress = Progress(
@@ -79,7 +79,7 @@ class Places:
 
 
 def find_places(derivations: Path | None, root: Path | None) -> Places:
-    """Apply the rule; an option that names no folder is refused."""
+    """Return the folders by the rule; refuse an option that names no folder."""
     if derivations and root:
         refuse("--derivations and --root: give only one of them")
     if root:
@@ -98,7 +98,10 @@ def _check(derivations: Path, options: str) -> Places:
 
 
 def read_out(text: str | Path, is_file: bool = False) -> Path:
-    """Return the folder or file that --out names, there or not; refuse what cannot be written."""
+    """Return the folder or file that --out names; refuse one that cannot be written.
+
+    It need not exist.
+    """
     if not str(text):
         refuse(f"--out: is empty; a {'file' if is_file else 'folder'} is needed")
     target = Path(text)
@@ -114,9 +117,9 @@ def read_out(text: str | Path, is_file: bool = False) -> Path:
 
 
 def find_location(name: str, directory: Path, sources: Sequence[str] = ()) -> Path:
-    """Return the place of a system of a folder, or of a file or a folder named by its path.
+    """Return the place of a system in a folder, or of a file or folder named by its path.
 
-    `sources` are the suffixes of papers' own sources, where the command takes them.
+    `sources` are the suffixes of papers' own sources, if the command accepts these.
     """
     systems = find_systems(directory)
     if name in systems:
@@ -133,7 +136,7 @@ def find_location(name: str, directory: Path, sources: Sequence[str] = ()) -> Pa
 
 
 def find_locations(names: Iterable[str], places: Places, sources: Sequence[str] = ()) -> list[Path]:
-    """Return the places of named papers, of all derivations if none is named."""
+    """Return the places of named papers, or of all derivations if none is named."""
     try:
         if names:
             found = dict.fromkeys(names)
@@ -214,18 +217,18 @@ OUTCOMES = {
     str(outcome.value).lower().replace("_", "-").replace(" ", "-"): str(outcome.value)
     for outcome in (*Verdict, State.NOT_READ, State.NOT_JUDGED, State.SKIPPED)
 }
-# What would be lost if an option had its value forgotten.
+# Files that would be overwritten if the value of an option were left out.
 PAPERS = (".tex", ".md", ".py")
 
 
 def paste(latex: str, said: Mapping[str, Texts], lower_limit: str = "") -> Pasted:
-    """Return what is pasted, with what options say of its letters."""
+    """Return the pasted LaTeX together with what options say of its letters."""
     texts: dict[str, Any] = {name: tuple(one or ()) for name, one in said.items()}
     return Pasted(latex, lower_limit=lower_limit, **texts)
 
 
 def read_outcomes(words: list[str] | None, default: Iterable[str]) -> frozenset[str]:
-    """Return the outcomes that make a command fail; refuse a word that is none."""
+    """Return the outcomes that make a command fail; refuse unknown words."""
     if not words:
         return frozenset(default)
     said = [word.strip().lower().replace("_", "-") for x in words for word in x.split(",")]
@@ -235,7 +238,10 @@ def read_outcomes(words: list[str] | None, default: Iterable[str]) -> frozenset[
 
 
 def clear_json(file: Path | None) -> None:
-    """Refuse what cannot be the file of --json; remove that of an earlier run, which may fail."""
+    """Refuse a path that cannot be the file of --json; remove that of an earlier run.
+
+    This run may fail, and must not leave an old file behind.
+    """
     if file is None:
         return
     folder = file.absolute().parent

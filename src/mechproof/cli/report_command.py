@@ -71,7 +71,7 @@ def report(
 
 
 def _find_target(out: str | None, *, is_file: bool) -> Path:
-    """Return the file or folder that --out names; refuse what holds anything but a report."""
+    """Return the file or folder that --out names; refuse one with anything but a report."""
     from mechproof.report import check_file, check_folder
 
     target = read_out(("report.html" if is_file else "report") if out is None else out, is_file)
