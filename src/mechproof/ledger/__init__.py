@@ -1,1 +1,1 @@
-"""The ledger: the judgements of a paper and its findings, as records and as pages, and kept."""
+"""The ledger: the judgements of a paper and its findings, as records and pages, and their cache."""

@@ -1,4 +1,4 @@
-"""The card of a finding: the print and its smallest mend with what differs marked, and the rest."""
+"""The card of a finding: the print and its smallest mend, differences marked, and the rest."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mechproof.latex.sentences import is_sentence, walk_outside
 from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.verdict import Verdict
 
-# Styles that mark changes in formulas on a page; what stays within a change is grey.
+# Styles that mark changes in formulas on a page; parts kept inside a change are grey.
 KEPT = r"{{\color{{gray}}{{{}}}}}".format
 TAKEN = Style(r"{{\color{{red}}{{{}}}}}".format, KEPT)
 PUT = Style(r"{{\color{{green}}{{{}}}}}".format, KEPT)
@@ -24,8 +24,8 @@ OPEN = (Verdict.NOT_CHECKABLE, Verdict.UNDERDETERMINED)
 class Card:
     """The formulas of a finding: the print, the smallest mend, and what holds in general.
 
-    Empty are a mend that there is not and a general form that is the mend. `label` is what the mend
-    is called; `mend_by` and `general_by` say how each is proved, and where.
+    `mend` is empty if there is none, `general` if it is the mend. `label` is the word for the mend;
+    `mend_by` and `general_by` say how each is proved, and where it holds.
     """
 
     printed: str
@@ -37,7 +37,7 @@ class Card:
 
 
 def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> Card:
-    """Mark what the mend takes out of the print, and what it puts in."""
+    """Return the card of a finding, marking what the mend removes from the print and adds to it."""
     printed, general = found.printed_latex, found.corrected_latex
     mend, by = found.mend_latex, _tell_proof(found.mend_by, found.mend_on)
     corrected_by = _tell_proof(found.corrected_by, found.corrected_on)
@@ -55,14 +55,14 @@ def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> C
 
 
 def _tell_proof(by: str, on: str) -> str:
-    """Say how a formula is proved, and where it holds if not everywhere."""
+    """Return how a formula is proved, and where it holds if not everywhere."""
     return f"{by}; where {on}" if by and on else by
 
 
 def _split_member(printed: str, mend: str) -> tuple[str, str]:
-    """Split a print before its last member if the mend is a member, with no equals sign of its own.
+    """Split a print in front of its last member if the mend is a member, without an equals sign.
 
-    Only that member is what the mend replaces.
+    The mend then replaces only that member.
     """
     outside = [
         {m.start() for m in EQUALS.finditer(text)} & set(walk_outside(text))

@@ -1,4 +1,4 @@
-"""What a fault makes at one place: both values, as a finding shows them."""
+"""The effect of a fault at one place: both values, as a finding shows them."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ class LedgerCost:
         return f"{self.where}: {', '.join(told)}"
 
     def as_dict(self) -> dict[str, object]:
-        """Return the JSON record: the text, and its numbers as such."""
+        """Return the JSON record: the text, and its numbers as numbers."""
         values = {name: describe_number(value) for name, value in self.values.items()}
         return {"text": str(self), "where": self.where, "unit": self.unit, "values": values}
 
 
 def _lead(name: str) -> str:
-    """Return a name as it stands before a value: with a colon after a letter, number or sign."""
+    """Return a name for use in front of a value, with a colon after a letter, number or sign."""
     return f"{name}:" if re.search(r"[^a-z]$|(?<![a-z])[a-z]$", name) else name
 
 
 def show_witness(row: Judgement) -> Iterator[LedgerCost]:
-    """Show the values of both sides where they were first found to differ."""
+    """Yield the values of both sides where they were first found to differ."""
     for item in row.evidence[:1]:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
@@ -50,7 +50,7 @@ def show_witness(row: Judgement) -> Iterator[LedgerCost]:
 
 
 def _show_number(row: Judgement, item: Evidence) -> LedgerCost:
-    """Show a printed number and the right one, at the sizes with which it was read."""
+    """Return a printed number and the right one, at the sizes with which it was read."""
     _, said, sizes = row.read_as.partition(" at ")
     recomputed, _ = show_plainly(balls.read(item.rebuilt), balls.to_ball(sp.Rational(item.printed)))
     values = {"printed": item.printed, "recomputed": recomputed}

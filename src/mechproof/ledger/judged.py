@@ -19,7 +19,7 @@ from mechproof.record import MARKS, Paper
 from mechproof.record.papers import WEIGHTS
 from mechproof.tools.notebook import Displayed
 
-# The `$id` of ledger.schema.json, which lies beside this module.
+# The `$id` of ledger.schema.json in this folder.
 SCHEMA = "urn:mechproof:ledger:1"
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by class; the counts are never added up.
@@ -60,9 +60,10 @@ what their formulas rest on, and what their source computes:
 
 @dataclass(frozen=True)
 class Origin:
-    """What the rows of a paper were read from: its DOI, and the version of a transcription.
+    """The source of a paper's rows: its DOI, and the version of a transcription.
 
-    `sentences` is how many the transcription numbers; `aside` says why no row judges some of them.
+    `sentences` is the number of sentences in the transcription; `aside` says why no row judges
+    some.
     """
 
     doi: str = ""
@@ -80,9 +81,9 @@ class Origin:
 class Ledger:
     """The judgements of the rows of a paper and the findings among them.
 
-    `shipped` are the numbers of the rows on which kernels rest; `failures` name the rows that
-    could not be judged: with any, findings are not looked for. `left` are those of a paper's own
-    source that were not read or not judged.
+    `shipped` are the numbers of the rows on which kernels rest; `failures` name the rows that could
+    not be judged: if there are any, no findings are looked for. `left` are the rows of a paper's
+    own source that were not read or not judged.
     """
 
     system: str
@@ -96,7 +97,7 @@ class Ledger:
 
     @property
     def outcomes(self) -> set[str]:
-        """Return the verdicts that are met, and the states of what has none."""
+        """Return the verdicts that occur, and the states of rows without one."""
         return {row.verdict.value for row in self.judgements} | {x.state.value for x in self.left}
 
 
@@ -108,14 +109,14 @@ class JudgedPaper(Ledger, Displayed):
 
 
 def classify(judgement: Judgement) -> str:
-    """Return what a row is counted as."""
+    """Return the class as which a row is counted."""
     if "ours" not in judgement.marks:
         return CLASSES[judgement.kind]
     return KERNELS if judgement.quantities else OURS
 
 
 def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
-    """Return a line for each class of rows: its verdicts in their order; no sum over them."""
+    """Return a line for each class of rows with its verdicts in order, without a total."""
     found = {name: [j for j in judgements if classify(j) == name] for name in COUNTED}
     return {name: _count(rows) for name, rows in found.items() if rows}
 
@@ -123,8 +124,7 @@ def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
 def _count(judgements: Sequence[Judgement]) -> str:
     counted = Counter(j.verdict for j in judgements)
     proved = [j for j in judgements if j.verdict is Verdict.PROVED]
-    # Proved rows that come from the source they are compared with, or from a restored print, are
-    # told apart.
+    # Proved rows that are compared with their own source, or were restored, are counted apart.
     kinds = {
         "identical": sum(j.rung == IDENTICAL for j in proved),
         REBUILT: sum(REBUILT in j.marks for j in proved),
@@ -135,9 +135,9 @@ def _count(judgements: Sequence[Judgement]) -> str:
 
 
 def to_json(ledgers: Sequence[Ledger]) -> str:
-    """Return papers, findings and rows of ledgers as JSON, each on a line of its own.
+    """Return papers, findings and rows of ledgers as JSON, one record to a line.
 
-    What each field means stands in `ledger.schema.json` beside this module.
+    The fields are described in `ledger.schema.json` in this folder.
     """
     tables: dict[str, list[dict[str, object]]] = {
         "papers": [
@@ -155,7 +155,7 @@ def to_json(ledgers: Sequence[Ledger]) -> str:
 
 
 def sort_findings(ledgers: Sequence[Ledger]) -> list[LedgerFinding]:
-    """Return the findings of all papers, the gravest first, else in the order of the papers."""
+    """Return the findings of all papers, the gravest first, otherwise in the papers' order."""
     found = [finding for ledger in ledgers for finding in ledger.findings]
     return sorted(found, key=lambda finding: finding.weight)
 
@@ -168,7 +168,7 @@ def _lines(records: Sequence[dict[str, object]]) -> str:
 def to_markdown(ledgers: Sequence[Ledger], checks: Mapping[str, str] = MappingProxyType({})) -> str:
     """Return the ledger as a page; formulas are LaTeX between dollar signs.
 
-    `checks` say of rows, by their ids, whether Coq has checked them.
+    `checks` tell by the ids of rows whether Coq has checked them.
     """
     marks = "\n".join(f"- *{mark}*: {meaning}" for mark, meaning in MARKS.items())
     parts = [f"{INTRODUCTION}{marks}\n", "\n## Findings\n"]
@@ -229,7 +229,7 @@ def _table(judgements: Sequence[Judgement], checks: Mapping[str, str]) -> str:
 
 
 def _list_compared(judgements: Sequence[Judgement]) -> str:
-    """Fold away the formulas of the rows that are proved."""
+    """Write the formulas of the proved rows in a folded section."""
     proved = [j for j in judgements if j.verdict is Verdict.PROVED and j.compared_with]
     lines = [f"<details><summary>{len(proved)} proved rows: what was compared</summary>\n"]
     for j in proved:
@@ -246,7 +246,7 @@ def _explain_rungs(judgements: Sequence[Judgement]) -> str:
 
 
 def _formula(latex: str) -> str:
-    """Write a formula on a line of its own, which it does not end; in it nothing is a tag."""
+    """Write a formula on a line of its own, without letting it end the formula or open a tag."""
     line = re.sub(r"(?<!\\)\$", r"\\$", " ".join(latex.split()))
     return f"$$ {re.sub('<(?=[A-Za-z/!?])', '< ', line)} $$"
 

@@ -1,8 +1,8 @@
 """Findings: the root causes of what is wrong in print, what each costs, and what follows from it.
 
-A derivation may name the causes; a printed row that is wrong and belongs to none is a finding of
-its own. That a row follows from another is a row of the ledger: with the correction of the cause
-in the place of its print the statement is proved.
+A derivation may name the causes; a wrong printed row that belongs to none is a finding of its own.
+That a row follows from another is itself a row of the ledger: with the correction of the cause in
+place of its print, the statement is proved.
 """
 
 from __future__ import annotations
@@ -90,10 +90,10 @@ class LedgerFinding:
 
 
 def follower_rows(paper: Paper) -> tuple[Row, ...]:
-    """State every follower of every finding with the correction of its cause inserted.
+    """Return every follower of every finding, stated with the correction of its cause inserted.
 
-    Raises `ValueError` for a row that is not in the paper, a cause without a correction and a
-    follower that does not hold the print of its cause, or parts that the cause does not have.
+    Raises `ValueError` for a row that is not in the paper, a cause without a correction, a follower
+    that does not contain the print of its cause, and parts that the cause does not have.
     """
     rows = {row.number: row for row in paper.rows}
     return tuple(
@@ -104,10 +104,10 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[LedgerFinding, ...]:
-    """List the findings of a paper, the gravest first, else in the order of its rows.
+    """Return the findings of a paper, the gravest first, otherwise in the order of its rows.
 
-    Rows without a verdict are none. Raises `ValueError` for a cause that is not wrong, a follower
-    that does not follow and a mend that is not proved.
+    A row without a verdict is not a finding. Raises `ValueError` for a cause that is not wrong, a
+    follower that does not follow and a mend that is not proved.
     """
     judged = {j.number: j for j in judgements}
     named = {finding.row: finding for finding in paper.findings}
@@ -162,7 +162,7 @@ def _describe(
 
 
 def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement | None:
-    """Return the row whose print is the smallest mend; ValueError unless it is proved."""
+    """Return the row whose print is the smallest mend; raises ValueError unless it is proved."""
     if not finding.mend:
         return None
     mend = judged.get(finding.mend)
@@ -173,14 +173,14 @@ def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement |
 
 
 def _write_check(check: Check, domain: Domain) -> str:
-    """Put the computed numbers into the sentence."""
+    """Return the sentence of a check with its computed numbers."""
     values = (_value(value, {}, check.unit, check.text, domain) for value in check.values)
     return check.text.format(*(_Shown(value, check) for value in values))
 
 
 @dataclass(frozen=True)
 class _Shown:
-    """A number of a check: in its unit; with a format, the bare number to so many decimals."""
+    """A number of a check, shown in its unit; a format gives the decimals of the bare number."""
 
     value: balls.Ball
     check: Check
@@ -195,7 +195,7 @@ class _Shown:
 
 
 def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> LedgerCost:
-    """Write both values at a place and, of a printed and a right one, their difference."""
+    """Return both values at a place and, for a printed and a right one, their difference."""
     domain = Domain.of(paper)
     sides = (
         _sides(row) if cost.printed is None or cost.right is None else (cost.printed, cost.right)
@@ -234,7 +234,7 @@ def _value(
 
 
 def _round(value: balls.Ball, decimals: int) -> Decimal:
-    """Round the middle of a ball that is far smaller than the last place; a zero has none."""
+    """Round the midpoint of a ball far smaller than the last place; zero gets no decimals."""
     middle = Decimal(value.mid().str(40, radius=False))
     return middle.quantize(Decimal(1).scaleb(-decimals if middle else 0))
 
@@ -273,9 +273,9 @@ def _insert_correction(row: Row, root: Row, follower: FollowingRow) -> Row:
 
 
 def _corrections(root: Row, follower: FollowingRow) -> Mapping[sp.Basic, sp.Basic]:
-    """Pair parts of a cause's print with the parts of its correction in the same places.
+    """Map parts of a cause's print to the parts of its correction in the same places.
 
-    If the correction says more than one thing, the first of these replaces the print.
+    If the correction is a conjunction, its first part replaces the print.
     """
     if root.corrected is None:
         raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
@@ -308,7 +308,7 @@ def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
 def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
     if isinstance(part, sp.Basic):
         if part in pairs:
-            # Replaced as a whole: of a matrix SymPy would only replace elements.
+            # Replaced as a whole: in a matrix SymPy would only replace elements.
             return pairs[part]
         # `subs`, not `xreplace`: a product within a product is merged with its factors.
         return part.subs(pairs, simultaneous=True)

@@ -1,8 +1,9 @@
 """Cache: the verdicts of the rows that have not changed since they were last judged.
 
-A row is judged anew when its record, the domain, a source file of the prover or the version of
-Python, SymPy or flint differs. One file for each derivation holds the rows of its last run. Of a
-folder those of its namesakes are read as well: what is installed is often also checked out.
+A row is judged again if its record, the domain, a source file of the prover or the version of
+Python, SymPy or flint differs. One file for each derivation holds the rows of its last run. For a
+folder, the files of folders with the same name are read as well: what is installed is often also
+checked out.
 
 The fingerprint of a record is a key that is equal for equal records only. It follows what SymPy
 compares (the class and hashable content of each node), so it is the same in every process; dummies
@@ -38,15 +39,15 @@ LAYERS = ("record", "latex", "arithmetic", "sources", "statement_domains", "proo
 
 
 def prover_sources() -> list[Path]:
-    """Return the source files that verdicts come from."""
+    """Return the source files that verdicts depend on."""
     package = Path(__file__).parents[1]
     return [path for name in LAYERS for path in sorted((package / name).rglob("*.py"))]
 
 
 def make_keys(paper: Paper, sources: Sequence[object]) -> list[str]:
-    """Return a key of each row of a paper, or of what rows are stated from.
+    """Return a key for each row of a paper, or for each source from which rows are stated.
 
-    It is empty for what has none and is not kept.
+    It is empty for a source that has no key, whose verdicts are not stored.
     """
     prover = make_key(prover_sources(), PACKAGES, GROUND_TYPES)
     try:
@@ -65,27 +66,27 @@ def _make_key(domain: Fingerprint, start: str, source: object) -> str:
 
 
 class VerdictCache:
-    """The judgements of one derivation by the keys of its rows, or of what these come from."""
+    """The judgements of one derivation by the keys of its rows, or of the sources of these."""
 
     def __init__(self, location: Path) -> None:
         self.store = Store(f"{name_place(location)}.json")
         self.named_alike = f"{escape(location.stem)}-*.json" if location.is_dir() else ""
 
     def load(self) -> dict[str, tuple[Judgement, ...]]:
-        """Return what is kept; entries that cannot be read are as good as absent."""
+        """Return the stored judgements; unreadable entries count as missing."""
         alike = sorted(cache_folder().glob(self.named_alike)) if self.named_alike else ()
         stores = (*(Store(file.name) for file in alike), self.store)
         entries = [entry for store in stores for entry in store.read().items()]
         return {key: found for key, entry in entries if (found := _read_all(entry))}
 
     def save(self, judgements: Mapping[str, tuple[Judgement, ...]]) -> None:
-        """Keep these instead."""
+        """Replace the stored judgements by these."""
         kept = {k: found for k, found in judgements.items() if all(j.rung != UNREAD for j in found)}
         self.store.write({k: list(map(asdict, found)) for k, found in kept.items() if k})
 
 
 def _read_all(entry: Any) -> tuple[Judgement, ...]:
-    """Read the judgements of one key; none if one of them cannot be read."""
+    """Return the judgements of one key; () if one of them cannot be read."""
     found = tuple(map(read_judgement, entry)) if isinstance(entry, list) else ()
     read = tuple(judgement for judgement in found if judgement)
     return read if len(read) == len(found) else ()
@@ -104,18 +105,18 @@ def read_judgement(entry: Any) -> Judgement | None:
 
 
 class NoFingerprintError(TypeError):
-    """A record holds what two processes cannot compare: code, or a class of a derivation."""
+    """A record contains something that two processes cannot compare: code, or a foreign class."""
 
 
 class Fingerprint:
-    """The key of what has been visited so far; what is shared is visited once."""
+    """The keys of everything visited so far; shared parts are visited once."""
 
     def __init__(self) -> None:
         self._known: dict[int, tuple[object, str]] = {}
         self._dummies: dict[int, int] = {}
 
     def copy(self) -> Fingerprint:
-        """Return one that goes on from here on its own."""
+        """Return an independent copy that starts from the current state."""
         other = Fingerprint()
         other._known, other._dummies = dict(self._known), dict(self._dummies)
         return other
@@ -167,14 +168,14 @@ def _describe_class(kind: type) -> tuple[str, ...]:
 
 
 def _name_class(kind: type) -> str:
-    """Name a class whose code the key of the prover and its versions covers."""
+    """Return the name of a class whose code the prover's key and the versions cover."""
     if not f"{kind.__module__}.".startswith(("sympy.", "mechproof.record.")):
         raise NoFingerprintError(f"the class {kind.__module__}.{kind.__qualname__}")
     return f"{kind.__module__}.{kind.__qualname__}"
 
 
 def _digest(*texts: str) -> str:
-    """Hash texts; their lengths keep them apart."""
+    """Return a hash of texts; their lengths keep them apart."""
     joined = "".join(f"{len(text)}:{text}" for text in texts)
     return sha256(joined.encode("utf-8", "surrogatepass")).hexdigest()
 
