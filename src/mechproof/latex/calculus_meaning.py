@@ -167,7 +167,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
 
 
 def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
-    """Return the advice how to declare that the differentiated expression depends on the letter."""
+    """Return advice on declaring that the differentiated expression depends on the letter."""
     latex = meaning.source.latex[node.start : node.end]
     if latex.endswith("'"):
         return "Print the derivatives of what depends on it: u' beside u."

@@ -1,7 +1,7 @@
 """Characters beyond ASCII -> the signs that they print like, or what to print instead of them.
 
 A Greek letter becomes its command, a full-width or slanted letter the plain one, a raised or
-lowered one a script. No reader can tell letters of two alphabets apart that print alike.
+lowered one a script. Letters of two alphabets that print alike cannot be told apart.
 """
 
 # ruff: noqa: RUF001
@@ -39,7 +39,7 @@ _SIGNS: Mapping[str, str] = {
 # Names of the commands of Greek letters.
 _NAMES = {*(command[1:] for command in _LETTERS.values()), "Upsilon"}
 GREEK = frozenset(_NAMES | {f"var{name}" for name in _NAMES if name.istitle()})
-# Characters that are copied in place of the right sign -> the advice what to print.
+# Characters that are copied in place of the right sign -> advice on what to print.
 _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),
     **dict.fromkeys('’‘`´ʹʼˈ"”“', "Print ' for a prime."),
@@ -120,7 +120,7 @@ def name_character(text: str) -> str:
 
 
 def advise(text: str) -> str:
-    """Return the advice what to print instead of a sign, or "" if there is none."""
+    """Return advice on what to print instead of a sign, or "" if there is none."""
     if len(text) != 1:
         is_command = text.startswith("\\") and text[1:].isalpha()
         return (

@@ -28,7 +28,7 @@ _ORDERS = 24
 
 
 def is_extremum(parser: Parser) -> bool:
-    r"""Return whether \max or \min with a letter below it comes next, in a paper with units."""
+    r"""Return whether \max or \min with a letter below it comes next, where units are read."""
     follows = [token.text for token in parser.rest[:2]]
     return follows in ([r"\max", "_"], [r"\min", "_"]) and parser.notation.name_unit is not None
 

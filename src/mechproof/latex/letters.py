@@ -103,7 +103,7 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
 def read_argument_behind(parser: Parser, raised: Power | Transposed) -> Node:
     r"""Read a declared name's bracket after its power: R^T(\theta) is R(\theta)^T.
 
-    A power such as f^{-1}(x) is left to others, as it may be an inverse function.
+    A power such as f^{-1}(x) is returned unchanged, as it may be an inverse function.
     """
     base = raised.of if isinstance(raised, Transposed) else raised.base
     exponent = raised.exponent if isinstance(raised, Power) else None

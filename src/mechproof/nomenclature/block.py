@@ -2,7 +2,7 @@ r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1} …`, or
 begins with a word: `factor`, `function`, `where`, `let`, `claim`, `branch`, `natural`, `integer`,
-`imaginary`, `from`, `sizes`, and, of single equations, `constraint`, `identity`, `modulo 2\pi`,
+`imaginary`, `from`, `sizes`, and, for single equations, `constraint`, `identity`, `modulo 2\pi`,
 `follows`, `skip`.
 """
 

@@ -107,7 +107,7 @@ def find_unit(text: str) -> Unit | None:
 
 
 def read_head(text: str, reader: Reader) -> Head | None:
-    """Return the content of a head, None unless it is a declared letter or a formula of such."""
+    """Return the content of a head, None unless it is a declared letter or a formula of these."""
     text = text.strip()
     if text.startswith("{") and text.endswith("}"):
         text = text[1:-1].strip()

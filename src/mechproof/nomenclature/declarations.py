@@ -43,7 +43,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     """Return the symbols of a block's letters, recording contradictory statements as its faults.
 
     With `assume`, SymPy is told which letters are positive; then no equation of the paper may
-    define those.
+    define those. Raises `ValueError` for an unknown function.
     """
     letters, unknown = _leave_units(_add_running(_name_values(block.letters)))
     variables: list[Variable] = []

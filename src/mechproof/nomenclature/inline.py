@@ -167,7 +167,7 @@ def find_printed_units(displays: Iterable[Printed]) -> Iterator[tuple[str, str, 
 
 
 def say_of_others(one: Inline, letters: Collection[str]) -> Iterator[tuple[str, str]]:
-    r"""Yield letters that stand for the like of another's value: c_\beta, c_\alpha=\cos\alpha."""
+    r"""Yield letters with values by analogy: c_\beta and \cos\beta for c_\alpha=\cos\alpha."""
     own = _INDEXED.fullmatch(one.letter)
     names = {name_symbol(letter) for letter in letters}
     for letter in letters if own and own["index"] in one.value else ():

@@ -118,7 +118,7 @@ _NO_NOUN = re.compile(
     r"|(?:constant|positive|negative|small|large|fixed|zero|unknown|variable)s?\Z"
     # A clause of its own: "with $a$, $b$ the length of the path is", "the belt couples $a$".
     r"|.*\b(?:is|are|becomes?|equals?|reads?|follows|couples|relates|connects)\Z"
-    # The bullet of an item behind a colon.
+    # The bullet of an item after a colon.
     r"|\W*\Z"
 )
 # Asterisks that emphasize words in Markdown.

@@ -47,7 +47,7 @@ def narrow(
 
 
 def _advise(equation: sp.Equality) -> str:
-    """Return the advice for an equation that is given as a condition."""
+    """Return advice for an equation that is given as a condition."""
     said = f"{equation.lhs}={equation.rhs}".replace("**", "^")
     if equation.lhs.is_Symbol:
         return f"{said} is a value, no condition: say let {said}"

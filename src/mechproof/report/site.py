@@ -1,4 +1,4 @@
-"""The site: takes derivations with their ledgers, returns the files of the report; its folder.
+"""The site: takes derivations with their ledgers, returns the files of the report, writes them.
 
 Pages of a paper are cached until something changes them. All that they show is known for folders of
 derivations: their ledgers with the files that these were made from, their own files, which draw the
@@ -50,7 +50,7 @@ UNSHOWN_NAMES = frozenset({"ledger.json"})
 
 @dataclass(frozen=True)
 class Legend:
-    """Everything explained to the reader: only what occurs."""
+    """The explanations for the reader, only of what occurs."""
 
     looks: tuple[VerdictStyle, ...]
     marks: Mapping[str, str]
