@@ -1,5 +1,5 @@
-"""Derivations: a file or a folder per system, found by looking into this folder.
+"""Derivations: a file or a folder per system; this folder is searched for them.
 
-They import SymPy and the records of `mechproof.record`; `peers` and `points` beside a paper, which
-only the laboratory loads, also NumPy, SciPy and the package's own runtime.
+They import only SymPy and the records of `mechproof.record`; the modules `peers` and `points` next
+to a paper, which only the laboratory loads, also import NumPy, SciPy and the package's own runtime.
 """

@@ -1,4 +1,4 @@
-"""What papers share of algebra: linear equations, moderate sizes, the eps of doubles."""
+"""Algebra common to several papers: linear equations, moderate sizes, the eps of doubles."""
 
 import sympy as sp
 
@@ -19,7 +19,7 @@ def is_zero_or_moderate(number: sp.Expr) -> sp.Basic:
 
 
 def solve_linear(equation: sp.Equality | sp.Expr, unknown: sp.Expr) -> sp.Expr:
-    """Return the unknown, a symbol or a power of one; an expression is to be zero.
+    """Return the unknown, a symbol or a power of one; an expression is set to zero.
 
     `solve` would simplify and check the solution for longer than the rest of a paper takes to load.
     """

@@ -1,7 +1,8 @@
-"""What papers 1 and 2 share of an angle x and an eccentricity e: ellipses, places, branches, jerks.
+"""Common to papers 1 and 2, for an angle x and eccentricity e: ellipses, places, branches, jerks.
 
-A place is x, e and the ranges of their coordinates, in which what vanishes is a product of powers.
-With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
+A place is x, e and the ranges of their coordinates, in which whatever vanishes is a product of
+powers. With e = 1 - d near 1, x and d are small together; places differ in which of x, d and x**2
+is smallest.
 """
 
 from collections.abc import Mapping
@@ -23,8 +24,9 @@ D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"
 UP_TO_HALF, UP_TO_LARGE = Interval(0, Rational(1, 2)), Interval(0, Rational(5, 8))
 UP_TO_TURN = Interval(0, Rational(22, 7))
 WITHIN_TURN = "|x| <= 22/7"
-# Next to x = pi the low word is as large as what is left of x, and no bound sees that they belong
-# together: so little is left out. Beyond half a turn x is known by it alone.
+# Next to x = pi the low word is as large as the remainder of x, and no bound recognises that they
+# belong together: so a small part is left out. Beyond half a turn x is known only with its low
+# word.
 OFF_PI = f"{WITHIN_TURN} and |pi - |x|| >= 2**-40"
 
 
@@ -36,7 +38,7 @@ def radius_from_focus(a: Expr, e: Expr, theta: Expr) -> Expr:
 
 
 def roll(e: Expr, angle: Expr) -> tuple[Expr, Expr]:
-    """Cosine and sine of the angle that a congruent ellipse has reached by rolling on another.
+    """Return cosine and sine of the angle that a congruent ellipse reaches by rolling on another.
 
     It is ahead of its driver by twice atan(y/x).
     """
@@ -47,7 +49,7 @@ def roll(e: Expr, angle: Expr) -> tuple[Expr, Expr]:
 
 
 def list_places(e: Symbol, farthest: Expr, widest: Expr, roundest: Interval) -> tuple[Place, ...]:
-    """List the places of angles up to the farthest, at first of d up to the widest."""
+    """Return the places of angles up to the farthest, first those with d up to the widest."""
     return (
         (D * Y, 1 - D, {D: Interval(0, widest), Y: Interval(0, 8)}),
         (Z * W, 1 - Z**2 * W, {Z: Interval(0, Rational(1, 8)), W: Interval(0, 1)}),
@@ -58,24 +60,24 @@ def list_places(e: Symbol, farthest: Expr, widest: Expr, roundest: Interval) -> 
 
 
 def first_turn(e: Symbol) -> tuple[Place, ...]:
-    """List the places of half a turn to either side."""
+    """Return the places of half a turn to either side."""
     return list_places(e, Rational(22, 7), Rational(1, 2), UP_TO_HALF)
 
 
 def first_turn_of_jerk(e: Symbol) -> tuple[Place, ...]:
-    """List the same places with narrower ranges next to e = 1, where it grows with 1/d**3."""
+    """Return the same places with narrower ranges next to e = 1, where it grows with 1/d**3."""
     narrow = Rational(1, 8)
     left = {ANGLE_X: Interval(0, Rational(3, 4)), D: Interval(narrow, Rational(1, 2))}
     return (*list_places(e, Rational(22, 7), narrow, UP_TO_HALF), (ANGLE_X, 1 - D, left))
 
 
 def below_pi(e: Symbol) -> tuple[Place, ...]:
-    """List the places that end before half a turn."""
+    """Return the places that end before half a turn."""
     return list_places(e, sp.Integer(3), Rational(3, 8), UP_TO_LARGE)
 
 
 def next_to_pi(e: Symbol) -> tuple[tuple[Expr, Expr, Ranges, Expr], ...]:
-    """List the places there, and what is left of x after whole turns."""
+    """Return the places next to half a turn, each with the remainder of x after whole turns."""
     near = {ANGLE_X: UP_TO_TURN, S: Interval(Rational(1, 2**40), Rational(1, 7))}
     return tuple(
         (ANGLE_X, there, {**near, symbol: UP_TO_HALF}, sp.pi + side)
@@ -85,7 +87,7 @@ def next_to_pi(e: Symbol) -> tuple[tuple[Expr, Expr, Ranges, Expr], ...]:
 
 
 def on_branch(form: Expr, whole: Expr, place: Mapping[Symbol, Expr], turns: Symbol) -> Equality:
-    """State that a form with one floor is a whole at a place where the floor has a value."""
+    """State that a form with one floor equals `whole` at a place, its floor being `turns`."""
     (count,) = form.atoms(sp.floor)
     return Equality(form.xreplace({count: turns}).subs(place), whole.subs(place))
 
@@ -93,7 +95,7 @@ def on_branch(form: Expr, whole: Expr, place: Mapping[Symbol, Expr], turns: Symb
 def by_half_angle(
     value: Expr, charts: tuple[Chart, ...], mirrors: tuple[tuple[sp.Basic, ...], ...] = ()
 ) -> Form:
-    """Make the form of a quotient in the tangent of half of x, of which the low word is known."""
+    """Return the form of a quotient in the tangent of half of x, whose low word is known."""
     rewrites = ("low_word", "half_angle_tangent")
     return Form(
         "half-angle quotient with low word", value, rewrites, charts=charts, mirrors=mirrors
@@ -101,12 +103,12 @@ def by_half_angle(
 
 
 def directly(value: Expr) -> Form:
-    """Make the form that divides by a power of the square of a distance."""
+    """Return the form that divides by a power of the square of a distance."""
     return Form("1 + e**2 - 2 e cos x", value, key="direct")
 
 
 def jerk_scale(factor: Expr, e: Symbol, x: Expr, eps_x: Expr, where: Steps = ()) -> Scale:
-    """Make the scale of a jerk by the larger of its terms, with what eps*x makes of both."""
+    """Return the scale of a jerk: the larger of its terms, plus the effect of eps*x on both."""
     spread = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
     sine, cosine = sp.Abs(sp.sin(x)), sp.Abs(sp.cos(x))
     slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
@@ -119,6 +121,6 @@ def jerk_scale(factor: Expr, e: Symbol, x: Expr, eps_x: Expr, where: Steps = ())
 
 
 def jerk_quotient(factor: Expr, e: Expr, x: Expr) -> Expr:
-    """Return a jerk as one quotient."""
+    """Return a jerk as a single quotient."""
     spread = 1 + e**2 - 2 * e * sp.cos(x)
     return factor * (sp.cos(x) * spread - 4 * e * sp.sin(x) ** 2) / spread**3

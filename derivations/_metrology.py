@@ -1,4 +1,4 @@
-"""What papers that measure share: type A evaluation, normal laws, coverage."""
+"""Common to papers with measurements: type A evaluation, normal laws, coverage."""
 
 import sympy as sp
 
@@ -34,7 +34,7 @@ def expected_squares() -> sp.Expr:
 
 
 def unbiased_row(number: str) -> Claim:
-    """State that the divisor n - 1 leaves no bias; `number` is that of the variance."""
+    """State that the divisor n - 1 leaves no bias; `number` is that of the variance's row."""
     return ours(
         f"{number} is free of bias",
         r"E\,s^2(q_k)=\sigma^2",
@@ -50,7 +50,7 @@ def estimate_row(
     cites: tuple[str, ...] = (),
     latex: str = r"E\,\frac{s^2(q_k)}n=\mathrm{Var}\,\bar q",
 ) -> Claim:
-    """State that the estimate of the variance of the mean, `number`, has no bias."""
+    """State that the estimate of the variance of the mean, row `number`, has no bias."""
     return Claim(
         f"{number}, estimate of the variance of the mean",
         latex,

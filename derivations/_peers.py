@@ -1,4 +1,4 @@
-"""Ways to integrate a ratio that several papers have: the samples summed, the equation solved."""
+"""Ways to integrate a ratio common to several papers: summing samples, solving the equation."""
 
 from collections.abc import Callable
 from typing import Any
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def sum_by_simpson(ratio: Callable[..., Any], note: str = "") -> Peer:
-    """Make the peer that sums the samples of a ratio."""
+    """Return the peer that sums the samples of a ratio."""
 
     def integrate(phi1: Array, *sizes: Array) -> Array:
         from scipy.integrate import cumulative_simpson
@@ -23,7 +23,7 @@ def sum_by_simpson(ratio: Callable[..., Any], note: str = "") -> Peer:
 
 
 def solve_by_steps(ratio: Callable[..., Any]) -> Peer:
-    """Make the peer that solves the differential equation, with the tightest usual tolerance."""
+    """Return the peer that solves the differential equation, with the tightest usual tolerance."""
 
     def integrate(phi1: Array, *sizes: Array) -> Array:
         from scipy.integrate import solve_ivp

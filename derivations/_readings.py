@@ -1,4 +1,4 @@
-"""What two papers print of one test rig: its encoders, tables of mean errors and intervals."""
+"""Prints of two papers on the same test rig: its encoders, tables of mean errors and intervals."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -36,14 +36,14 @@ ENCODER_VARIABLES = (
 def two_encoders(gain: Expr) -> Expr:
     """Return the largest error of an output angle compared with the model, in degrees.
 
-    Two encoders that keep 0.3 % of 360 degrees: the one at the output, and the one at the input
-    times the largest ratio, `gain`.
+    It is that of two encoders with an error of 0.3 % of 360 degrees: the one at the output, and the
+    one at the input times the largest ratio, `gain`.
     """
     return FULL_SCALE_LINEARITY * (1 + gain)
 
 
 def encoder_row(paper: Transcription, table: str) -> Datum:
-    """List what is printed of the encoder besides how its resolution comes about."""
+    """Return the row of what is printed of the encoder, except how its resolution comes about."""
     return paper.datum(
         f"{table}, encoder",
         all_of(
@@ -99,24 +99,24 @@ class Readings:
 
 
 def of_the_mean(count: int) -> Expr:
-    """Return how many per cent of intervals of 2 u hold the expected value of `count` readings."""
+    """Return the percentage of intervals of 2 u that contain the mean of `count` readings."""
     return student_coverage(count, Rational(2))
 
 
 def coverage_of_errors(count: int) -> Expr:
-    """Return how many per cent of single errors lie within 2 u, u that of the mean of `count`."""
+    """Return the percentage of single errors within 2 u, where u is that of the mean of `count`."""
     return student_coverage(count, 2 / sqrt(count + 1))
 
 
 def of_single_errors(count: int) -> Expr:
-    """Return how many per cent of single errors lie within 2 s of the mean of `count`."""
+    """Return the percentage of single errors within 2 s of the mean of `count` readings."""
     return student_coverage(count, 2 * sqrt(Rational(count, count + 1)))
 
 
 def interval_of_errors(
     paper: Transcription, readings: Mapping[int, Readings], marks: tuple[str, ...] = ()
 ) -> Claim:
-    """Judge of what the interval is: of the errors, as it is called, or of their mean."""
+    """Return the claim on the interval: of the errors, as it is called, or of their mean."""
     counts = [line.count for line in readings.values()]
     of_mean = all_of(*(PrintedNumber("95", of_the_mean(count)) for count in counts))
     return paper.claim(
@@ -133,7 +133,7 @@ def interval_of_errors(
 def if_u_is_s(
     table: str, readings: Mapping[int, Readings], halves: Sequence[str], distances: Sequence[str]
 ) -> Claim:
-    """State the intervals of the means if u is s, and how many uncertainties the means are off."""
+    """State the intervals of the means if u is s, and the means in units of their uncertainty."""
     printed = tuple(zip(readings.values(), halves, distances, strict=True))
     intervals = ",\\ ".join(rf"{line.printed_mean}\pm{half}^\circ" for line, half, _ in printed)
     away = ",\\ ".join(distances)
@@ -166,7 +166,7 @@ def table_row(
     cites: tuple[str, ...],
     **marks: Any,
 ) -> Claim:
-    """Say that a table of results, each n, mean and u of which is shown, cannot be recomputed."""
+    """State that a table of results, with its n, means and u shown, cannot be recomputed."""
     values = ";\\ ".join(line.printed for line in readings.values())
     return Claim(
         f"{table} by {equations}",
@@ -179,7 +179,7 @@ def table_row(
 
 
 def adequacy_row(paper: Transcription) -> Claim:
-    """Say that no calculation decides whether the model is adequate."""
+    """State that no calculation decides whether the model is adequate."""
     return paper.claim(
         ADEQUACY,
         NotCheckable("neither a criterion of adequacy nor the readings are in the text at hand"),
@@ -199,7 +199,10 @@ def beyond_encoders(readings: Mapping[int, Readings], limits: Mapping[int, Expr]
 def interval_finding(
     readings: Mapping[int, Readings], of_mean: str, of_root: str, called: str = "of the errors"
 ) -> Finding:
-    """Say what the interval holds of single errors, and how wide theirs is, in variants 1 and 3."""
+    """Return the finding on the interval: its share of single errors, and how wide theirs would be.
+
+    It covers variants 1 and 3.
+    """
     costs = (
         cost
         for variant, line in readings.items()
@@ -239,7 +242,7 @@ def interval_finding(
 
 
 def costs_of_mean(readings: Mapping[int, Readings], variants: Sequence[int]) -> tuple[Cost, ...]:
-    """Return how far mean errors are from zero, beside what the interval for them allows."""
+    """Return how far mean errors are from zero, next to what their interval allows."""
     return tuple(
         Cost(
             f"variant {variant}",

@@ -1,8 +1,8 @@
-"""Shares of rightly and wrongly accepted and rejected parts by JCGM 106, two normal laws.
+"""Shares of rightly and wrongly accepted and rejected parts by JCGM 106, for two normal laws.
 
 The definitions integrate over the finite window: the density of the true deviation times the
-probability to be accepted or rejected, or the density of what is measured times the probability
-not to conform given that; the fourth share is what remains of the parts that do not conform.
+probability of acceptance or rejection, or the density of the measured deviation times the
+probability of nonconformity given that; the fourth share is the rest of the nonconforming parts.
 """
 
 from sympy import Expr, Integral, Le, Max, Min, Or, S, exp, pi, sqrt, symbols
@@ -40,7 +40,7 @@ VARIABLES = (
     Variable(m, "measured deviation", LENGTH),
 )
 
-# What is measured is normal, and so is the true deviation given that.
+# The measured deviation is normal, and so is the true deviation given the measured one.
 MEASURED, VARIANCE = mu + bias, sigma**2 + s**2
 GIVEN_MEAN = mu + sigma**2 / VARIANCE * (m - MEASURED)
 GIVEN_VARIANCE = sigma**2 * s**2 / VARIANCE
@@ -60,7 +60,8 @@ def over_window(centre: Expr, variance: Expr, chance: Expr, distances: tuple[Exp
     """Integrate a normal density times a probability over the window.
 
     A ball integral has an absolute tolerance: exp(-exponent), which no share of parts at these
-    distances of the true and of the measured deviation from their means exceeds, is taken out.
+    distances of the true and of the measured deviation from their means exceeds, is taken out as a
+    factor.
     """
     (true, measured), z = distances, m - centre
     exponent = Max(true**2 / sigma**2, measured**2 / VARIANCE) / 2
@@ -99,12 +100,12 @@ shares(Normal(mean, true_std), Normal(bias, error_std), (low, high)).{}"""
 
 
 def clip(at: Expr) -> Expr:
-    """Return the place between the limits that is next to `at`."""
+    """Return the place between the limits that is nearest to `at`."""
     return Max(low, Min(at, high))
 
 
 def far_from_underflow(name: str) -> Or:
-    """State that the likeliest part of a share is not beyond the most nats."""
+    """State that the likeliest part of a share is within MOST_NATS nats."""
     true = (low, high, clip(mu)) if name in CONFORMING else (Min(mu, low), Max(mu, high))
     places = []
     for at in true:
@@ -116,7 +117,7 @@ def far_from_underflow(name: str) -> Or:
 
 
 def share(name: str, definition: Expr) -> Quantity:
-    """Make one of the four shares."""
+    """Return one of the four shares as a quantity."""
     return Quantity(
         name,
         f"Compute the share of the {name.replace('_', ' ')} parts, for two normal laws.",

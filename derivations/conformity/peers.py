@@ -24,7 +24,7 @@ OURS = (
 
 
 def by_quadrature(name: str, module: str) -> Share:
-    """Return the positive quadrature of a module; NaN outside the domain."""
+    """Return a way to compute a share by a module's quadrature; NaN outside the domain."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
@@ -39,7 +39,7 @@ def by_quadrature(name: str, module: str) -> Share:
 
 
 def simulated(name: str, count: int) -> Peer:
-    """Make a simulation of `count` parts."""
+    """Return the peer that simulates `count` parts."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
@@ -65,7 +65,7 @@ def bivariate(h: Array, k: Array, rho: Array) -> Array:
 
 
 def from_rectangle(name: str, margins: tuple[Array, Array], inside: Array) -> Array:
-    """Return a share as a difference: margins of conforming and accepted less the rectangle."""
+    """Return a share as a difference of the margins (conforming, accepted) and the rectangle."""
     conforming, accepted = margins
     return np.asarray(
         {
@@ -78,7 +78,7 @@ def from_rectangle(name: str, margins: tuple[Array, Array], inside: Array) -> Ar
 
 
 def by_owen(name: str) -> Share:
-    """Return a share from the mass of the rectangle, the sum of four corners."""
+    """Return a way to compute a share from the mass of the rectangle, the sum of four corners."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
@@ -97,7 +97,7 @@ def by_owen(name: str) -> Share:
 
 
 def by_distribution(name: str) -> Share:
-    """Return a share by `scipy.stats.multivariate_normal`, one set at a time."""
+    """Return a way to compute a share by `scipy.stats.multivariate_normal`, one set at a time."""
 
     def one(mean: float, std: float, offset: float, error: float, low: float, high: float) -> float:
         from scipy.special import ndtr
@@ -115,7 +115,10 @@ def by_distribution(name: str) -> Share:
 
 
 def by_quad(name: str) -> Share:
-    """Return a share by `scipy.integrate.quad` over the true deviation, one set at a time."""
+    """Return a way to compute a share by `scipy.integrate.quad` over the true deviation.
+
+    It takes one set of parameters at a time.
+    """
 
     def one(mean: float, std: float, offset: float, error: float, low: float, high: float) -> float:
         from scipy.integrate import quad
@@ -140,7 +143,7 @@ def by_quad(name: str) -> Share:
 
 
 def by_suncal(name: str) -> Share:
-    """Return a share by `suncal.risk`, one set at a time."""
+    """Return a way to compute a share by `suncal.risk`, one set at a time."""
 
     def one(mean: float, std: float, offset: float, error: float, low: float, high: float) -> float:
         from scipy.stats import norm
@@ -153,7 +156,7 @@ def by_suncal(name: str) -> Share:
 
 
 def over_sets(one: Callable[..., float]) -> Share:
-    """Call a function of numbers for every set."""
+    """Return a function of arrays that calls a function of numbers for every set."""
 
     def compute(*arguments: Array) -> Array:
         with warnings.catch_warnings():
@@ -165,7 +168,7 @@ def over_sets(one: Callable[..., float]) -> Share:
 
 
 def list_peers(name: str) -> tuple[Peer, ...]:
-    """List the ways to compute a share, the package's first; suncal has the two risks only."""
+    """Return the ways to compute a share, the package's first; suncal has only the two risks."""
     cancels = "margins less a rectangle of four corners: small shares cancel"
     suncal = find_spec("suncal") is not None and name.startswith("wrongly")
     return (

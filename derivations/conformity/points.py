@@ -1,7 +1,7 @@
-"""Where shares hurt: far tails, tiny and huge errors, limits at a mean, odd windows.
+"""Points where shares are hard: far tails, tiny and huge errors, limits at a mean, odd windows.
 
 Correlations of the true and the measured deviation run from 0 (huge errors) to 1 (tiny errors).
-`POINTS` gives each quantity its point sets by name, `IN_CELL` draws spreads between given edges,
+`POINTS` maps each quantity to its point sets by name, `IN_CELL` draws spreads between given edges,
 `WORKLOADS` is what is timed for N sets of parameters.
 """
 
@@ -35,7 +35,7 @@ def usual(rng: np.random.Generator, count: int) -> Arguments:
 
 
 def reach_out(rng: np.random.Generator, count: int, nearest: float, farthest: float) -> Arguments:
-    """Draw limits of so many standard deviations, one of them up to twice as far."""
+    """Draw limits of `nearest` to `farthest` standard deviations, one up to twice as far."""
     error = 10 ** rng.uniform(-2, 0.5, count)
     mean, offset = rng.choice([0, 0.3], count), rng.choice([0, 0.1, -0.3], count) * error
     reach = rng.uniform(nearest, farthest, count) * np.hypot(1, error) * np.ones((2, 1))
@@ -44,7 +44,7 @@ def reach_out(rng: np.random.Generator, count: int, nearest: float, farthest: fl
 
 
 def extreme_errors(rng: np.random.Generator, count: int) -> Arguments:
-    """Climb with the error from 1e-6 to 1e6 times the true spread."""
+    """Draw errors from 1e-6 to 1e6 times the true spread."""
     std, error = np.ones(count), 10 ** rng.uniform(-6, 6, count)
     return windows(rng, count, std, error)
 
@@ -59,7 +59,7 @@ def biased(rng: np.random.Generator, count: int) -> Arguments:
 
 
 def limits_at_means(rng: np.random.Generator, count: int) -> Arguments:
-    """Put a limit on the mean of the true or of the measured deviation, or beside it."""
+    """Put a limit at the mean of the true or of the measured deviation, or next to it."""
     std, error = np.ones(count), 10 ** rng.uniform(-2, 1, count)
     mean, offset = rng.normal(size=count), rng.choice([0, 1], count) * error
     beside = rng.choice([-1, 1], count) * 10 ** rng.uniform(-300, -1, count)
@@ -103,7 +103,7 @@ def narrow(rng: np.random.Generator, count: int) -> Arguments:
 
 
 def in_cell(rng: np.random.Generator, cell: Cell) -> Arguments:
-    """Draw spreads of one cell."""
+    """Draw the spreads of one cell."""
     logarithms = (np.log(cell[name]) for name in ("true_std", "error_std"))
     drawn = (np.exp(rng.uniform(low, high, SETS)) for low, high in logarithms)
     return windows(rng, SETS, *drawn)

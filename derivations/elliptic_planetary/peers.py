@@ -1,4 +1,4 @@
-"""Ways to get the numbers of paper 1 that are no formulas: joined branches, solvers, libraries."""
+"""Ways to get the numbers of paper 1 without a formula: joined branches, solvers, libraries."""
 
 from collections.abc import Mapping
 from importlib.util import find_spec
@@ -49,7 +49,7 @@ def distribute(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
 
 
 def take_anomaly(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
-    """Take the true anomaly from kepler.py, x being the eccentric anomaly."""
+    """Use the true anomaly from kepler.py, x being the eccentric anomaly."""
     from kepler import kepler
 
     x, largest = r1 / r2 * phi1, np.nextafter(1.0, 0.0)
@@ -60,7 +60,7 @@ def take_anomaly(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
 
 
 def list_libraries() -> tuple[Peer, ...]:
-    """List the peers that need a library of the extra `bench`."""
+    """Return the peers that need a library of the extra `bench`."""
     if not find_spec("kepler"):
         return ()
     note = "solves Kepler's equation on the way, which the position does not need"

@@ -22,12 +22,12 @@ BRACKET = {"color": RED, "lw": 1.0, "marker": "_", "ms": 4}
 
 
 def name_variant(number: int) -> str:
-    """Return what a variant is, in the letters of Table 1."""
+    """Return the name of a variant with its eccentricity, in the letters of Table 1."""
     return f"variant {number}, e = {MECHANISMS[number].e:g}"
 
 
 def branch_end(number: int) -> float:
-    """Return the carrier angle (degrees) where the arctangent of (12) falls back first."""
+    """Return the carrier angle (degrees) where the arctangent of (12) first falls back."""
     return HALF_TURN / MECHANISMS[number].radius_ratio
 
 
@@ -40,7 +40,7 @@ def lack_at_branch_end(number: int) -> float:
 
 
 def cut_branches(number: int, degrees: Any) -> Any:
-    """Return (12) as printed in degrees, NaN where it falls back, so that no line joins that."""
+    """Return (12) as printed in degrees, NaN where it falls back, to interrupt the line there."""
     mechanism = MECHANISMS[number]
     printed = position_printed(np.radians(degrees), mechanism.R1, mechanism.R2, mechanism.e)
     falls = np.flatnonzero(np.diff(printed) < 0)
@@ -66,7 +66,7 @@ def draw_positions(canvas: Any) -> None:
 
 
 def _mark_branch_end(panel: Any, pair: Sequence[int]) -> None:
-    """Mark by how much (12) is too small where it is about to fall back first."""
+    """Mark by how much (12) is too small just before it first falls back."""
     end = branch_end(pair[0])
     right = float(np.degrees(MECHANISMS[pair[0]].position(np.radians(end))))
     lacks = [lack_at_branch_end(number) for number in pair]
@@ -100,7 +100,7 @@ def draw_rates(canvas: Any) -> None:
 
 
 def _mark_extremes(panel: Any, pair: Sequence[int]) -> None:
-    """Mark the extremes of the ratio: the largest a period on, the smallest after half of it."""
+    """Mark the extremes of the ratio: the largest a period later, the smallest after half of it."""
     panel.margins(y=0.2)
     for number, upward in zip(pair, (-1, 1), strict=True):
         extremes = MECHANISMS[number].extremes()
@@ -112,7 +112,7 @@ def _mark_extremes(panel: Any, pair: Sequence[int]) -> None:
 
 
 def draw_intervals(canvas: Any) -> None:
-    """Draw the intervals of Table 3, and that of variant 3 by its u."""
+    """Draw the intervals of Table 3, and that of variant 3 according to its u."""
     panel = canvas.subplots()
     panel.axvline(0.0, **LineStyle.AXIS)
     for number, line in READINGS.items():

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def centred_twice(rows: Array) -> Array:
-    """Evaluate each series of readings by itself."""
+    """Evaluate each series of readings separately."""
     return np.array([evaluate_type_a(row).standard_deviation for row in np.atleast_2d(rows)])
 
 

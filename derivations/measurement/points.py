@@ -1,6 +1,6 @@
-"""Where readings hurt: large common offsets, scatter in the last digits, squares that underflow.
+"""Points where readings are hard: large common offsets, scatter in the last digits, underflow.
 
-`POINTS` gives each quantity its point sets by name, `WORKLOADS` what is timed for N readings.
+`POINTS` maps each quantity to its point sets by name, `WORKLOADS` is what is timed for N readings.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,7 +22,7 @@ def readings(rng: np.random.Generator) -> Arguments:
 
 
 def far_readings(rng: np.random.Generator) -> Arguments:
-    """Draw series with offsets of 1e8 to 1e15 whose scatter is some last digits of the offset."""
+    """Draw series with offsets of 1e8 to 1e15 that scatter in the offset's last digits only."""
     offset = 10 ** rng.uniform(8, 15, SERIES) * rng.choice([-1, 1], SERIES)
     scatter = np.spacing(np.abs(offset)) * 10 ** rng.uniform(0.5, 4, SERIES)
     return (rng.normal(size=(SERIES, READINGS)) * scatter[:, None] + offset[:, None],)

@@ -25,7 +25,7 @@ omega1, omega3, VC, VD = PRINT.symbols("omega1 omega3 v_C v_D")
 AC, EC, BC, BD, CD, DE = PRINT.symbols("AC EC BC BD CD DE")
 (ratio_symbol,) = PRINT.symbols("varphi3'")
 
-# What the mechanics, the forms and the proofs need besides.
+# Further symbols of the mechanics, the forms and the proofs.
 mount, k, x, theta, tau, start = sp.symbols("mount k x theta tau c", real=True)
 R4, R5, rho3, span = sp.symbols("R4 R5 rho3 L", positive=True)
 s, sB, sC, sD, omega_satellite, omega_out = sp.symbols("s s_B s_C s_D omega_5 omega_3", real=True)
@@ -46,7 +46,7 @@ OVAL = sp.Interval.open(0, 1)
 
 
 def lead(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
-    """By how much the driven wheel of an oval pair is ahead of its driver."""
+    """Angle by which the driven wheel of an oval pair is ahead of its driver."""
     return sp.atan2(eccentricity * sp.sin(2 * driver), 1 - eccentricity * sp.cos(2 * driver))
 
 
@@ -79,7 +79,7 @@ satellite_against_carrier = -sun_against_carrier * (2 * a - rho5) / rho5
 wheel_3_against_carrier = -satellite_against_carrier * rho6 / (2 * a - rho6)
 ratio_by_inversion = 1 + wheel_3_against_carrier
 
-# The oval has at half the polar angle the radius of the ellipse seen from a focus.
+# At half the polar angle, the oval has the radius of the ellipse seen from a focus.
 focal_radius = radius_from_focus(a, e, theta)
 
 
@@ -90,7 +90,7 @@ def oval_radius(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
 
 @cache
 def pair_ratio(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
-    """Speed of the driven wheel by that of the driver, both external: the quotient of the radii."""
+    """Speed of the driven wheel over its driver's, both external: the quotient of the radii."""
     radius = oval_radius(eccentricity, cosine)
     return sp.cancel(radius / (2 * a - radius))
 
@@ -118,8 +118,8 @@ def integrate(ratio: sp.Expr) -> sp.Integral:
     return sp.Integral(ratio.subs(phi1, tau), (tau, 0, phi1))
 
 
-# What letters are given by, on the line A-C and by its mechanics; the kernels state the domain in
-# this order.
+# Definitions of letters, on the line A-C and by the mechanics; the kernels state the domain in this
+# order.
 VARIABLES = (
     Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
     Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
@@ -226,7 +226,7 @@ def position_of_map(p: sp.Expr, q_: sp.Expr, g: sp.Expr, difference: sp.Expr) ->
     )
 
 
-# The same as the argument of a constant vector and of one that turns about 1, as for one pair.
+# The same as the argument of a constant vector and one that turns about 1, as for one pair.
 square_sum = (lam + mu) ** 2 + nu**2
 along, across = lam**2 - mu**2 + nu**2, -2 * mu * nu
 position_by_one_pair = -sp.atan2(-nu, lam + mu) - sp.atan2(

@@ -1,4 +1,4 @@
-"""Ways to get the numbers of paper 2 that are no formulas: branches joined, integrals, solvers."""
+"""Ways to get the numbers of paper 2 without a formula: joined branches, integrals, solvers."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 def take_branch(driver: Array, eccentricity: Array) -> Array:
-    """Return the angle of a driven wheel by one arctangent, one branch."""
+    """Return the angle of a driven wheel by one arctangent, on a single branch."""
     tangent: Array = np.arctan((1 + eccentricity) / (1 - eccentricity) * np.tan(driver))
     return tangent
 
@@ -27,18 +27,18 @@ def join_branches(driver: Array, eccentricity: Array) -> Array:
 
 
 def unwrap_ovals(phi1: Array, e1: Array, e2: Array, mount: Array) -> Array:
-    """Send the angle through both pairs."""
+    """Return the output angle through both pairs."""
     wheel_6 = join_branches(phi1, e1) + mount
     return phi1 - (join_branches(wheel_6, e2) - take_branch(mount, e2))
 
 
 def unwrap_cylindrical(phi1: Array, r4: Array, r5: Array, e2: Array) -> Array:
-    """Send the angle through the pair 6-3."""
+    """Return the output angle through the pair 6-3."""
     return phi1 - join_branches(r4 / r5 * phi1, e2)
 
 
 def list_peers(ratio: Callable[..., Any], unwrap: Callable[..., Any]) -> tuple[Peer, ...]:
-    """List the peers of a position function."""
+    """Return the peers of a position function."""
     return (
         Peer(
             "tan/arctan + unwrap",

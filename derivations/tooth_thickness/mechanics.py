@@ -36,7 +36,7 @@ rightly_accepted, wrongly_accepted, rightly_rejected, wrongly_rejected = sp.symb
 chord = sp.pi * m * sp.cos(alpha) ** 2 / 2
 chord_height = m * (1 - sp.pi * sp.sin(2 * alpha) / 8)
 
-# The kernels list what is given in this order.
+# The kernels list definitions in this order.
 VARIABLES = (
     Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * sp.cos(alpha) / 2, latex=("r_b",)),
     Variable(
@@ -107,9 +107,9 @@ read = PRINT.reader(VARIABLES, NOTATION)
 
 # Basic rack, involute, gauge on the tip circle ----------------------------------------------------
 
-# Basic rack, symmetric about its tooth space's axis; the pitch point is the origin, y points to
-# the tip of the wheel's tooth. The rack's flank cuts the pitch line half a tooth from the axis;
-# the common normal goes through the pitch point, so contact is at the foot of the perpendicular.
+# Basic rack, symmetric about its tooth space's axis; the pitch point is the origin, y points to the
+# tip of the wheel's tooth. The rack's flank cuts the pitch line half a tooth from the axis; the
+# common normal goes through the pitch point, so contact is at the foot of the perpendicular.
 flank_point = sp.Matrix([sp.pi * m / 4, 0])
 flank_normal = sp.Matrix([sp.cos(alpha), sp.sin(alpha)])
 contact = flank_normal * flank_point.dot(flank_normal)
@@ -148,8 +148,8 @@ involute_distance = chord_distance(alpha, half_tooth)
 tip_radius = m * z / 2 + m
 nominal_height = tip_radius - involute_distance
 
-# From the constant chord to a chord where the tangent has turned by `tilt`: the integrals of
-# r_b t along and across the first tangent.
+# From the constant chord to a chord where the tangent has turned by `tilt`: the integrals of r_b t
+# along and across the first tangent.
 along = (t_c + tilt) * sp.sin(tilt) - (1 - sp.cos(tilt))
 across = t_c * (1 - sp.cos(tilt)) + sp.sin(tilt) - tilt * sp.cos(tilt)
 height_change = r_b * (across * sp.sin(alpha) - along * sp.cos(alpha))
@@ -159,11 +159,11 @@ linearisation_bound = (
     dh**2 * (y_c + sp.Abs(dh)) ** 3 / (r_b**3 * sp.sqrt(linearisation_root.subs(dh, sp.Abs(dh))))
 )
 
-# The gauge stands on the actual tip circle, its line h_c + Delta h_c below.
+# The gauge rests on the actual tip circle, its line h_c + Delta h_c below.
 line_nominal = tip_radius - nominal_height
 line_actual = tip_radius + e_tip / 2 - (nominal_height + dh_gauge)
 height_deviation = line_nominal - line_actual
-# Counted towards the tip instead, the gauge's error as well.
+# The same with the gauge's error counted towards the tip, too.
 height_towards_tip = (line_actual - line_nominal).subs(dh_gauge, -dh_gauge)
 influence = slope_of_thickness.subs(delta, alpha)
 
@@ -176,7 +176,7 @@ half_moved = (
 turn_by_thinning = solve_linear(sp.Eq(2 * turn * m * z / 2, thinning), turn)
 chord_by_thinning = 2 * (chord_half(alpha, half_tooth) - half_moved).subs(turn, turn_by_thinning)
 
-# The indication less the nominal chord, to first order: the tooth, thicker by its true deviation,
+# The indication minus the nominal chord, to first order: the tooth, thicker by its true deviation,
 # along the gauge's line, `dh` deeper than the nominal one.
 gauge_line = line_nominal - dh
 chord_at_line = involute_chord + influence * (involute_distance - gauge_line)
@@ -208,7 +208,7 @@ NARROW = sp.Rational(1, 260)
 HEIGHTS_TO_0_1_MM = Part(
     "the height is off by up to 0.1 mm, either way", {tilt: sp.Interval(0, NARROW)}
 )
-# The paper gives deviations in whole micrometres: one of them, as a share of 0.1 mm.
+# The paper gives deviations in whole micrometres: one micrometre as a share of 0.1 mm.
 LAST_SHARE = sp.Rational(1, 100)
 
 # ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
@@ -245,22 +245,22 @@ NORMAL_SHARE = normal_between(sp.S.Zero, sp.S.One, -THREE_SIGMA, THREE_SIGMA)
 
 
 def tip_spread(grade: int, geometry: str = "printed") -> sp.Expr:
-    """Give the standard deviation (um) of thickness from the tip diameter, IT/sigma = K."""
+    """Return the standard deviation (um) of thickness from the tip diameter, IT/sigma = K."""
     return GEOMETRIES[geometry][0] * sp.Rational(GRADES[grade][1], K_PRINTED)
 
 
 def gauge_spread(gauge: sp.Expr, geometry: str = "printed") -> sp.Expr:
-    """Give the standard deviation of thickness from that of the gauge, in height and thickness."""
+    """Return the standard deviation of thickness from that of the gauge in both directions."""
     return sp.sqrt(1 + GEOMETRIES[geometry][1] ** 2) * gauge
 
 
 def measurement_spread(grade: int, gauge: sp.Expr, geometry: str = "printed") -> sp.Expr:
-    """Give the standard deviation (um) of the whole error, from tip and gauge."""
+    """Return the standard deviation (um) of the whole error, from tip and gauge."""
     return sp.sqrt(tip_spread(grade, geometry) ** 2 + gauge_spread(gauge, geometry) ** 2)
 
 
 def crossover(grade: int, geometry: str = "printed") -> sp.Expr:
-    """Give the standard deviation of the gauge (um) that disturbs as much as the tip."""
+    """Return the standard deviation of the gauge (um) that disturbs as much as the tip."""
     return tip_spread(grade, geometry) / gauge_spread(sp.S.One, geometry)
 
 
@@ -275,7 +275,7 @@ def good_but_rejected(spread: sp.Expr, tolerance: int = TOLERANCE_UM) -> sp.Expr
 def rejected_by(
     grade: int, limit_error: int | sp.Rational, multiple: int = 3, geometry: str = "printed"
 ) -> sp.Expr:
-    """Share of good teeth rejected with a tip of a grade and a gauge."""
+    """Share of good teeth rejected, for a grade of the tip and a limit error of the gauge."""
     return good_but_rejected(
         measurement_spread(grade, sp.Rational(limit_error) / multiple, geometry)
     )

@@ -17,7 +17,7 @@ from .mechanics import GAUGE_UM, K_PRINTED, RECOMMENDED_UM
 
 # The paper's curves, by the grades of the tip diameter.
 CURVES = {6: 1, 7: 2}
-# Is step 5 as printed, and the grade.
+# Whether step 5 is as printed, and the grade.
 CASES = tuple((as_printed, grade) for as_printed in (False, True) for grade in CURVES)
 # The multiple of the limit error is not printed.
 SIGMAS = 3
@@ -25,7 +25,7 @@ MICROMETRE = 1e-3
 LARGEST_UM = GAUGE_UM / 2
 TEETH, SEED = 20_000, 3
 LIMITS_UM = np.linspace(0.0, LARGEST_UM, 101)
-# Points of one curve beside those of the next, so that each can be seen.
+# Points of one curve are offset from those of the next, so that each can be seen.
 SIMULATED_UM = [np.linspace(3.0, 21.0, 4) + 1.2 * case for case in range(len(CASES))]
 LOOKS = {6: LineStyle.FIRST, 7: LineStyle.SECOND}
 PRINTED_LOOKS: Mapping[int, Mapping[str, Any]] = {
@@ -34,7 +34,7 @@ PRINTED_LOOKS: Mapping[int, Mapping[str, Any]] = {
 
 
 def inspect(limit_um: Any, grade: int, as_printed: bool = False) -> ThicknessInspection:
-    """Return the inspection with a gauge of limit errors in um and a tip of a grade."""
+    """Return the inspection with gauges of these limit errors in um and a tip of a grade."""
     low, high = PUBLISHED_TOLERANCE
     limit = np.asarray(limit_um) * MICROMETRE
     gauge = Normal(np.zeros_like(limit), limit / SIGMAS)
@@ -79,7 +79,7 @@ def draw_share(canvas: Any, name: str) -> None:
 
 
 def _mark_crossover(panel: Any, name: str, grade: int, as_printed: bool) -> None:
-    """Mark the gauge from which on it disturbs more than the tip diameter."""
+    """Mark the gauge beyond which it disturbs more than the tip diameter."""
     limit = crossover_um(grade, as_printed)
     share = 100 * getattr(inspect(limit, grade, as_printed).shares(), name)
     says = "from here on the gauge disturbs more than the tip"
@@ -97,7 +97,7 @@ def _mark_recommended(panel: Any, end: str) -> None:
 
 
 def wrongly_rejected(spread_um: float) -> float:
-    """Return the per cent of good teeth rejected, as printed, with a tip of IT6 and this gauge."""
+    """Return the percentage of good teeth rejected, as printed, for a tip of IT6 and a gauge."""
     return 100 * float(inspect(SIGMAS * spread_um, 6, as_printed=True).shares().wrongly_rejected)
 
 

@@ -36,7 +36,7 @@ depth, depth_exponent, feed_exponent = sp.symbols("t_c x_t y_s", positive=True)
 
 influences = sp.IndexedBase("S_i", real=True)
 correlations, correlations_t = (sp.IndexedBase(name, real=True) for name in ("R_ij", "R_ij(t)"))
-# Positive in the paper; the kernels take zeros.
+# Positive in the paper; the kernels accept zeros.
 tolerances = sp.IndexedBase("T_i", nonnegative=True)
 scatters, scatters_t, tolerances_t, k_mounting, k_elastic = (
     sp.IndexedBase(name, positive=True) for name in ("K_i", "K_i(t)", "T_i(t)", "K_yi", "K_deltai")
@@ -77,7 +77,7 @@ THETA = periods * phi
 eccentricity, nearer, farther = sp.symbols("e d f", nonnegative=True)
 tilt_tangent = sp.Symbol("t", positive=True)
 
-# Meanings and prints of what the block does not declare ----------------------------------------
+# Meanings and prints of symbols that the block does not declare ---------------------------------
 
 TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
     (NUMBER, sp.S.Naturals): {
@@ -177,7 +177,7 @@ PRINTED_16 = sp.ImmutableMatrix(read("(16)")[1::2])
 
 
 def printed_radius(theta: sp.Expr) -> sp.Expr:
-    """Bracket printed in (16), at theta = z varphi."""
+    """Return the bracket printed in (16), at theta = z varphi."""
     return (PRINTED_16[0] / sp.cos(phi)).subs(THETA, theta)
 
 
@@ -246,7 +246,7 @@ def turn(vector: sp.Matrix, axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
 
 
 def turn_about_own_axes(angles: Sequence[tuple[int, sp.Expr]]) -> Triad:
-    """Turn a triad in sequence, each time about the axis where the last turn has left it."""
+    """Turn a triad in sequence, each time about its own axis where the last turn has left it."""
     triad = UNIT_VECTORS
     for axis, angle in angles:
         own = triad[axis]
@@ -255,7 +255,7 @@ def turn_about_own_axes(angles: Sequence[tuple[int, sp.Expr]]) -> Triad:
 
 
 def turn_about_fixed_axes(angles: Sequence[tuple[int, sp.Expr]]) -> Triad:
-    """Turn a triad in sequence, each time about an axis of the frame that stays."""
+    """Turn a triad in sequence, each time about an axis of the fixed frame."""
     triad = UNIT_VECTORS
     for axis, angle in angles:
         triad = tuple(turn(vector, UNIT_VECTORS[axis], angle).expand() for vector in triad)
@@ -292,7 +292,7 @@ FROM_ORIGIN = MACHINE_POINT - SHIFT
 
 
 def first_order_remainder(distance: sp.Expr) -> sp.Expr:
-    """Bound what the first-order model leaves out at a point at this distance from O_1."""
+    """Bound the part that the first-order model omits at a point at this distance from O_1."""
     return distance * sum(map(sp.Abs, ANGLES)) ** 2 / 2
 
 

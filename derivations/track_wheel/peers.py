@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def multiply_turns(alpha: Array, beta: Array, gamma: Array) -> Array:
-    """Let NumPy multiply the matrices of the three turns."""
+    """Multiply the matrices of the three turns with NumPy."""
     one, none = np.ones_like(alpha), np.zeros_like(alpha)
     (sa, ca), (sb, cb), (sg, cg) = ((np.sin(t), np.cos(t)) for t in (alpha, beta, gamma))
     first = np.array([[one, none, none], [none, ca, sa], [none, -sa, ca]])
@@ -23,7 +23,7 @@ def multiply_turns(alpha: Array, beta: Array, gamma: Array) -> Array:
 
 
 def turn_by_scipy(alpha: Array, beta: Array, gamma: Array) -> Array:
-    """Let SciPy make the matrix; ours sees the part's frame, hence the transpose."""
+    """Get the matrix from SciPy; ours is seen from the part's frame, hence the transpose."""
     from scipy.spatial.transform import Rotation
 
     angles = np.stack(np.broadcast_arrays(alpha, beta, gamma), axis=-1)
@@ -31,21 +31,21 @@ def turn_by_scipy(alpha: Array, beta: Array, gamma: Array) -> Array:
 
 
 def displace_by_scipy(points: Array, angles: Array, shift: Array) -> Array:
-    """Let SciPy turn the points."""
+    """Turn the points with SciPy."""
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_euler("XYZ", angles).apply(points) - (points - shift))
 
 
 def take_norm(displacement: Array) -> Array:
-    """Let NumPy take the norm of the vector."""
+    """Take the norm of the vector with NumPy."""
     return np.asarray(np.linalg.norm(displacement, axis=-1))
 
 
 def take_norm_of_terms(
     tolerances: Array, sensitivities: Array, scatters: Array, total_scatter: Array
 ) -> Array:
-    """Let NumPy take the norm of the products."""
+    """Take the norm of the products with NumPy."""
     terms = scatters * sensitivities * tolerances
     return np.asarray(np.linalg.norm(terms, axis=-1) / total_scatter)
 
@@ -57,7 +57,7 @@ def sum_covariances(
     correlation: Array,
     total_scatter: Array,
 ) -> Array:
-    """Let NumPy add the covariances by einsum."""
+    """Add the covariances with NumPy's einsum."""
     terms = scatters * sensitivities * tolerances
     total: Any = np.einsum("...i,...ij,...j", terms, correlation, terms)
     return np.asarray(np.sqrt(total) / total_scatter)

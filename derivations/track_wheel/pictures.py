@@ -1,4 +1,4 @@
-"""The figures of paper 5 as far as its printed data go."""
+"""The figures of paper 5, as far as its printed data permit."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -38,13 +38,13 @@ def published(thickness: float) -> TrackWheel:
 
 
 def collect(**changed: Any) -> Any:
-    """Return the five errors of Table 1, shape (..., 5), some of them replaced by arrays."""
+    """Return the five errors of Table 1, shape (..., 5), with some of them replaced by arrays."""
     columns = [changed.get(str(symbol), field) for symbol, field in FIELDS.items()]
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
 
 def total_random(errors: Any, coefficient: float = NORMAL) -> Any:
-    """Return the total by the corrected (6), Delta_T random and a share of the total (mm)."""
+    """Return the total by the corrected (6), with Delta_T random and a share of the total (mm)."""
     ones = np.ones(len(FIELDS))
     return kernels.error_sum_thermal(
         errors, ones, coefficient * ones, 1.0, THERMAL_SHARE, coefficient
@@ -103,7 +103,7 @@ def _draw_radius(panel: Any, degrees: Any, wheel: TrackWheel) -> None:
 
 
 def _draw_largest(panel: Any, wheel: TrackWheel, angle: Any) -> None:
-    """Draw the bars of Fig. 3 that need no shift."""
+    """Draw those bars of Fig. 3 that need no shift."""
     moved = wheel.displacement(angle)
     values = {
         "X₀": np.abs(moved[:, 0]),
@@ -156,12 +156,12 @@ def draw_growth(canvas: Any) -> None:
 
 
 def largest_gain() -> float:
-    """Return by how many per cent the total falls without any elastic error."""
+    """Return the percentage by which the total falls without any elastic error."""
     return float(100 * (1 - total_random(collect(Delta_delta=0.0)) / total_random(collect())))
 
 
 def draw_gain(canvas: Any) -> None:
-    """Draw the total against what is left of the elastic error, the rest as in Table 1."""
+    """Draw the total against the remaining elastic error, with the rest as in Table 1."""
     panel, before = canvas.subplots(), FIELDS[elastic]
     left = np.linspace(0.0, before, 101)
     curve = total_random(collect(Delta_delta=left))

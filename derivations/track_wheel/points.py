@@ -1,4 +1,4 @@
-"""Where sums of errors and poses hurt and no equation says so.
+"""Points where sums of errors and poses are hard although no equation says so.
 
 Sums: sizes far apart, zeros, correlations near one, squares beyond the doubles. Poses: points next
 to the axis of the turn, where the displacement nearly vanishes.
@@ -19,20 +19,20 @@ COUNT, POSES = 20, 150
 
 
 def draw_usual(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw tolerances, sensitivities and scatters as they are."""
+    """Draw usual tolerances, sensitivities and scatters."""
     shape = (COUNT, count)
     return 10 ** rng.uniform(-6, 0, shape), rng.uniform(-2, 2, shape), rng.uniform(0.5, 2, shape)
 
 
 def draw_apart(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw sizes of up to a hundred decades apart, and none."""
+    """Draw sizes up to a hundred decades apart, and zeros."""
     tolerance, influence, scatter = 10 ** rng.uniform(-50, 50, (3, COUNT, count))
     influence *= rng.choice([-1, 1], influence.shape)
     return tolerance * (rng.random(tolerance.shape) < 0.7), influence, scatter
 
 
 def draw_beyond(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw tolerances whose squares overflow or underflow, some beside others that stay."""
+    """Draw tolerances whose squares overflow or underflow, some next to others that do not."""
     tolerance, influence, scatter = draw_usual(rng, count)
     size = 10 ** (rng.uniform(160, 290, (COUNT, 1)) * rng.choice([-1, 1], (COUNT, 1)))
     return tolerance * size, influence, scatter
@@ -44,13 +44,13 @@ def independent(terms: Terms, rng: np.random.Generator) -> Arguments:
 
 
 def correlated(terms: Terms, rng: np.random.Generator) -> Arguments:
-    """Draw sums of five errors with correlation matrices, ones and symmetry to the last bit."""
+    """Draw sums of five errors with correlation matrices, with unit diagonal and exact symmetry."""
     rows = rng.normal(size=(COUNT, 5, 15))
     return *terms(rng, 5), correlate(rows), rng.uniform(1, 2, COUNT)
 
 
 def nearly_alike(terms: Terms, rng: np.random.Generator) -> Arguments:
-    """Draw sums of five errors that are almost the same, correlations from 1 - 1e-9 on."""
+    """Draw sums of five errors that are almost the same, with correlations above 1 - 1e-9."""
     common = rng.normal(size=(COUNT, 1, 15))
     own = rng.normal(size=(COUNT, 5, 15)) * 10 ** rng.uniform(-4.5, -1, (COUNT, 1, 1))
     return *terms(rng, 5), correlate(common + own), rng.uniform(1, 2, COUNT)
@@ -103,7 +103,7 @@ def sum_thermal(count: int) -> Arguments:
 
 
 def list_sums(draw: Callable[[Terms, np.random.Generator], Arguments]) -> Mapping[str, Draw]:
-    """List the sets of a sum: usual terms, sizes apart, squares beyond the doubles."""
+    """Return the point sets of a sum: usual terms, sizes far apart, squares beyond the doubles."""
     return {
         "usual": partial(draw, draw_usual),
         "sizes a hundred decades apart": partial(draw, draw_apart),

@@ -51,7 +51,7 @@ NAMES = {
 MEANING = {variable.symbol: variable.meaning for variable in PRINT.variables}
 read = PRINT.reader()
 (_, PRINTED_Q), (_, PRINTED_R) = read("(1), Q"), read("(7) and (8), R")
-# From the link 5' on the chain is a function of one displacement, which the kernels call x5.
+# From the link 5' onwards the chain is a function of one displacement, which the kernels call x5.
 PRINTED_R = PRINTED_R.subs(x5_driven, x5)
 _, print_1 = read("(1)")
 print_1_top, print_1_bottom = sp.fraction(print_1.args[0])
@@ -81,8 +81,8 @@ lever_at_start = (l_AB + l_CD) * -RIGHT
 from_a_to_d = lever_at_start + l_BC * -UP - x1 * RIGHT
 group_1 = turn(phi3) * (lever_at_start + guide * -UP) - from_a_to_d
 
-# The turn keeps the length of AD, which fixes the guide; branch: BC does not turn over, its
-# length stays positive. Then both projections are linear in cos and sin.
+# The turn keeps the length of AD, which fixes the guide; branch: BC does not turn over, its length
+# stays positive. Then both projections are linear in cos and sin.
 guide_now = sp.Symbol("BC", positive=True)
 turned_length = (l_AB + l_CD) ** 2 + guide_now**2
 guide_squared = solve_linear(sp.Eq(turned_length, from_a_to_d.dot(from_a_to_d)), guide_now**2)
@@ -100,7 +100,7 @@ from_d_to_g = l_DE * towards(alpha_DE) + l_EF * RIGHT + l_FG * UP + x5 * RIGHT
 group_2 = l_DE * towards(alpha_DE + phi3) + l_EF * RIGHT + (l_FG + dFG) * UP - from_d_to_g
 rod = solve_linear(group_2[0], x5)
 
-# Clearance. Link 5' is pushed only, and not before the rod has run through the clearance.
+# Clearance. Link 5' is only pushed, and not before the rod has run through the clearance.
 driven = (overlap + sp.Abs(overlap)) / 2
 # The rod's run is l_GH + excess or l_GH - lack, which covers every run.
 excess, lack = sp.Symbol("excess", nonnegative=True), sp.Symbol("lack", positive=True)
@@ -110,8 +110,8 @@ PUSHED_IN_PRINT = sp.Piecewise(print_4.args[0], (print_4.args[1].expr, True))
 from_h_to_l = l_HI * UP + l_IK * RIGHT + l_KL * towards(alpha_KL) - x5_driven * RIGHT
 group_3 = (l_HI + dHI) * UP + l_IK * RIGHT + l_KL * towards(alpha_KL + phi7) - from_h_to_l
 
-# Branch: KL points upwards as at x1 = 0, so that its direction is 2*atan(tau), tau >= 0 (or
-# pi - 2*atan(sigma), sigma >= 0). Ox of (6) then gives the displacement that belongs to it.
+# Branch: KL points upwards as at x1 = 0, so that its direction is 2*atan(tau), tau >= 0 (or pi -
+# 2*atan(sigma), sigma >= 0). Ox of (6) then gives the corresponding displacement.
 direction_tau, direction_sigma = 2 * sp.atan(tau), pi - 2 * sp.atan(sigma)
 cosine_of_tau, cosine_of_sigma = (1 - tau**2) / (1 + tau**2), (sigma**2 - 1) / (sigma**2 + 1)
 sine_of_tau = 2 * tau / (1 + tau**2)
@@ -154,14 +154,14 @@ root_7 = sqrt(l_KL**2 - PRINTED_R**2)
 
 
 def by_half_angle(expression: sp.Expr, angle: sp.Symbol, tangent: sp.Expr) -> sp.Expr:
-    """Put the tangent of half an angle into sines and cosines of sums with it."""
+    """Return an expression with sines and cosines of sums in the tangent of half an angle."""
     expanded = sp.expand_trig(expression)
     cosine, sine = (1 - tangent**2) / (1 + tangent**2), 2 * tangent / (1 + tangent**2)
     return expanded.subs({cos(angle): cosine, sin(angle): sine})
 
 
 def upright(expression: sp.Expr) -> sp.Expr:
-    """Give alpha_KL by the tangent kappa of its half, as the direction of KL by tau."""
+    """Return an expression with alpha_KL as 2*atan(kappa), as the direction of KL is by tau."""
     placed = expression.subs({x5: displacement[tau], height: l_KL * sine_of_tau})
     by_tangent = by_half_angle(placed, alpha_KL, kappa)
     return by_tangent.subs(alpha_KL, 2 * sp.atan(kappa))

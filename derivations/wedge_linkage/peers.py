@@ -12,12 +12,12 @@ from mechproof.record import Peer
 Array = NDArray[np.float64]
 
 # mm or rad: the error of the difference, STEP**2/6 of the third derivative, and that of rounding,
-# eps/STEP of the position, are alike.
+# eps/STEP of the position, are of similar size.
 STEP = 1e-4
 
 
 def take_difference(index: int, *arguments: Array) -> Array:
-    """Take the central difference of the position by one argument."""
+    """Return the central difference of the position by one argument."""
     before, at, after = arguments[:index], arguments[index], arguments[index + 1 :]
     moved = ((*before, at + step, *after) for step in (-STEP, STEP))
     low, high = (kernels.position(*point) for point in moved)
@@ -25,7 +25,7 @@ def take_difference(index: int, *arguments: Array) -> Array:
 
 
 def take_by_sizes(*arguments: Array) -> Array:
-    """Take the central differences by all ten sizes."""
+    """Return the central differences by all ten sizes."""
     columns = (take_difference(index, *arguments) for index in range(1, len(arguments)))
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
 

@@ -21,11 +21,11 @@ START, CROSSING, PRINTED_DEVIATION = map(
     float, (boundaries.START, boundaries.CROSSING, boundaries.DEVIATION)
 )
 STROKE = np.linspace(START, 0.0, 401)
-# Where the certified bound is drawn: alpha_KL turns within its tolerance at the upper boundary of
-# the first set, nowhere at that of the second.
+# Where the certified bound is drawn: alpha_KL passes an extremum within its tolerance at the upper
+# boundary of the first set, nowhere at that of the second.
 CERTIFIED = {1: np.linspace(-38.2, -36.2, 11), 2: np.linspace(-40.0, -5.0, 8)}
 MICROMETRES = 1e3
-# The sides of the polygons, and where their letters stand. Lengths that are lost, or that have no
+# The sides of the polygons, and the places of their letters. Lengths that are lost, or that have no
 # influence, are chosen (mm).
 POLYGONS = ("ABCD", "DEFG", "HIKL", "LMNP")
 CHOSEN = {"EF": 14.0, "FG": 14.0, "HI": 14.0, "IK": 60.0, "MN": 20.0, "NP": 10.0}
@@ -63,14 +63,14 @@ def crossing(number: int) -> float:
 
 
 def legible_sizes() -> Any:
-    """Return the digits as they are legible, of what has none the nominal size."""
+    """Return the sizes by their legible digits, and the nominal size where there are none."""
     legible = {str(size): float(digits) for size, digits in LEGIBLE.items() if size not in ANGLES}
     return {name: legible.get(name, size.nominal) for name, size in SETS[1].items()}
 
 
 @cache
 def legible_end() -> float:
-    """Return the displacement at which the guide of the legible digits follows no longer."""
+    """Return the displacement up to which the guide can follow with the legible digits."""
     from scipy.optimize import brentq
 
     sizes: Any = {name: legible_sizes()[name] for name in ("l_AB", "l_BC", "l_CD")}
@@ -83,7 +83,7 @@ def towards(length: float, angle: float) -> Any:
 
 
 def place_pairs(x1: float) -> dict[str, Any]:
-    """Return where the pairs of Fig. 2 are, D at (0, 0), by the kernels and the first set."""
+    """Return the places of the pairs of Fig. 2, D at (0, 0), by the kernels and the first set."""
     size = {name: value.nominal for name, value in SETS[1].items()}
     lever = float(kernels.lever_angle(x1, size["l_AB"], size["l_BC"], size["l_CD"]))
     run = float(kernels.rod_displacement(lever, size["l_DE"], size["alpha_DE"]))
@@ -126,7 +126,7 @@ def draw_scheme(canvas: Any) -> None:
 
 
 def draw_boundaries(canvas: Any, number: int) -> None:
-    """Draw the boundaries of a set, what they differ by, and the certified bound."""
+    """Draw the boundaries of a set, their differences, and the certified bound."""
     ratios = {"height_ratios": (1.5, 0.9, 1.0, 0.8, 1.0)}
     position, order, deviation, spread, turn = canvas.subplots(5, 1, gridspec_kw=ratios)
     _draw_positions(position, number)
@@ -207,7 +207,7 @@ def _draw_spread(panel: Any, number: int) -> None:
 
 
 def _draw_turn(panel: Any, number: int) -> None:
-    """Draw what lies above II: another corner, and the bound certified for the whole box."""
+    """Draw what exceeds II: another corner, and the bound certified for the whole box."""
     from . import PAPER
 
     sizes, places = SETS[number], CERTIFIED[number]

@@ -1,4 +1,4 @@
-"""What can be computed of paper 1."""
+"""The quantities of paper 1."""
 
 from . import design, motion, peaks
 

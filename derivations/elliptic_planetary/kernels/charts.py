@@ -1,4 +1,4 @@
-"""Coordinates over which the rounding errors of paper 1 are bounded."""
+"""Coordinates in which the rounding errors of paper 1 are bounded."""
 
 from sympy import Expr, Interval, Rational, Symbol, oo
 
@@ -21,7 +21,7 @@ from ..._eccentric import (
 )
 from ..mechanics import *
 
-# In all of them: x, the inverse of k, and the radius that scales both.
+# Common to all: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)
 RADII = {R1: RADIUS, R2: INVERSE * RADIUS}
 SIZES = {**RADII, phi1: INVERSE * ANGLE_X}
@@ -32,24 +32,24 @@ PLAIN_CHART = Chart(
 
 
 def chart(text: str, x: Expr, there: Expr, within: Ranges, rest: Expr | None = None) -> Chart:
-    """Make the chart of x and e, or of x by what is left of it after whole turns."""
+    """Return the chart of x and e, or of x by its remainder after whole turns."""
     arguments = {**SIZES, phi1: INVERSE * x, e: there}
     return Chart(text, arguments, {**FREE, **within}, None if rest is None else ANGLE_X, rest)
 
 
 OF_JERK = tuple(chart(WITHIN_TURN, *place) for place in first_turn_of_jerk(e))
 *ECCENTRIC, ROUNDER = (chart(WITHIN_TURN, *place) for place in first_turn(e))
-# Beyond half a turn the low word is no share of what is left of x: next to whole turns so much is
-# left out of e.
+# Beyond half a turn the low word is not a share of the remainder of x: next to whole turns a range
+# of e is left out.
 UP_TO_LIMIT = "|x| <= 2**26 and (e <= 1 - 2**-10 or |x - 2*pi*n| >= 2**-7 for all n)"
 
 
 def far(rest: Expr, there: Expr, within: Ranges) -> Chart:
-    """Make a chart of x by what is left of it after whole turns."""
+    """Return a chart of x by its remainder after whole turns."""
     return chart(UP_TO_LIMIT, ANGLE_X, there, {ANGLE_X: Interval(3, 2**26), **within}, rest)
 
 
-# The peaks of the ratio are as wide as d: there x is a multiple of d, elsewhere d one of x.
+# The peaks of the ratio are as wide as d: there x is a multiple of d, elsewhere d is one of x.
 FAR_FROM_PEAK = {Z: Interval(Rational(1, 2**7), Rational(22, 7)), W: Interval(0, Rational(1, 8))}
 PEAKS = (
     far(D * Y, 1 - D, {D: Interval(Rational(1, 2**10), Rational(3, 8)), Y: Interval(-8, 8)}),
@@ -64,12 +64,13 @@ FAR, FAR_ECCENTRIC = (
 # The acceleration vanishes with x, e, d and pi - x.
 SMOOTH = tuple(chart(OFF_PI, *place) for place in (*below_pi(e), *next_to_pi(e)))
 
-# The extremes, by e and by what e lacks of 1.
+# The extremes, by e and by 1 - e.
 BY_SIZES = tuple(
     Chart("", {**RADII, e: there}, {**FREE, part: UP_TO_HALF})
     for there, part in ((e, e), (1 - D, D))
 )
-# The same, beside the threshold 5 - 2*sqrt(6) of the largest jerk, where another formula begins.
+# The same, on both sides of the threshold 5 - 2*sqrt(6) of the largest jerk, where another formula
+# begins.
 BEFORE, BEHIND = "101/1000", "102/1000"
 BESIDE_THRESHOLD = tuple(
     Chart(f"e <= {BEFORE} or e >= {BEHIND}", {**RADII, e: there}, {**FREE, part: within})

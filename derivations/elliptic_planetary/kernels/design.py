@@ -1,4 +1,4 @@
-"""What can be computed of a design of paper 1: sizes from what its ratio is wanted to be."""
+"""Quantities for the design of paper 1: sizes from the ratio that is wanted."""
 
 from sympy import Eq, Expr, Interval, Rational, S, Symbol
 
@@ -10,12 +10,12 @@ from ..rows import design
 from .charts import FREE, INVERSE, RADIUS
 from .motion import ARGUMENTS, SOURCE
 
-# What is wanted beside the radii.
+# The wanted quantity apart from the radii.
 PART = Symbol("part", positive=True)
 
 
 def wish(wanted: Symbol, value: Expr, inverse: Expr = INVERSE) -> Chart:
-    """Make the chart of what is wanted, by 1/k and a share."""
+    """Return the chart of a wanted quantity, by 1/k and a share."""
     arguments = {R1: RADIUS, R2: inverse * RADIUS, wanted: value}
     return Chart("", arguments, {**FREE, PART: Interval(0, 1)})
 
@@ -23,7 +23,7 @@ def wish(wanted: Symbol, value: Expr, inverse: Expr = INVERSE) -> Chart:
 FOR_LARGEST = (wish(largest_wanted, 1 + 1 / (INVERSE * PART)),)
 FOR_SMALLEST = (wish(smallest_wanted, 1 + PART / INVERSE),)
 FOR_NON_UNIFORMITY = tuple(wish(non_uniformity_wanted, value) for value in (PART, 1 / PART))
-# Beyond 2 by whether it or k**2 is the larger.
+# Beyond 2, by whether it or k**2 is larger.
 FOR_QUOTIENT = (
     wish(quotient_wanted, 1 + PART),
     wish(quotient_wanted, 1 + 1 / (INVERSE**2 * PART)),
@@ -40,16 +40,16 @@ FOR_EXTREMES = tuple(
     for share, part in ((1 - D, D), (PART**2, PART))
 )
 
-# Accuracy, in eps: of the difference the roundings of i - 1 and of k remain, 1/2 of i - 1 + k, and
-# with its own, those of the sum and that of the quotient 2.5 of 1. The rest are sums and roots of
-# positive terms; all roundings in one direction make 9, 6, 4 and 2 of the value.
+# Accuracy, in eps: for the difference, the roundings of i - 1 and of k remain, 1/2 of i - 1 + k,
+# and together with its own, that of the sum and that of the quotient 2.5 of 1. The rest are sums
+# and roots of positive terms; all roundings in one direction make 9, 6, 4 and 2 of the value.
 IN_UNITS = Scale("1", S.One)
 RADII = ARGUMENTS[1:3]
 MODERATE = (R1 <= 10**100 * R2,)
 
 
 def ratio_argument(name: str, symbol: Expr, meaning: str, *usual: float) -> Argument:
-    """Make an argument that says what is wanted."""
+    """Return an argument for a wanted quantity."""
     return Argument(name, (symbol,), meaning, usual=usual)
 
 
@@ -68,7 +68,7 @@ def inverse(
     singular: tuple[Singular, ...] = (),
     slopes: Accuracy | None = SLOPES,
 ) -> Quantity:
-    """Make a quantity of what is wanted."""
+    """Return a quantity that computes sizes from wanted ones."""
     return Quantity(
         name,
         summary,

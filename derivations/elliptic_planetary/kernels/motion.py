@@ -1,4 +1,4 @@
-"""What can be computed of paper 1: ratio, position and acceleration, and every form of them."""
+"""Quantities of paper 1: ratio, position and acceleration, and every form of them."""
 
 from collections.abc import Callable
 
@@ -27,12 +27,12 @@ SINGULAR = (
     *ENDS_OF_E,
 )
 
-# Accuracy. With the low word, x is known to eps**2 relative, and what is left are the roundings of
-# some 20 operations, tan and atan within an ulp; the bars below leave room for all of them in one
-# direction. What the error of x itself makes, eps**2*|x| times the slope, counts where the
-# acceleration passes through zero and, far away, where e is so near to 1 that the peak of the ratio
-# is narrower than eps*|x|; the slopes have the envelope of |sin x|, |cos x| <= 1. What is proved,
-# and the worst that is met, stand in the certificates.
+# Accuracy. With the low word, x is known to eps**2 relative; the roundings of some 20 operations
+# remain, tan and atan within an ulp; the bounds below leave room for all of them in one direction.
+# The effect of the error of x itself, eps**2*|x| times the slope, matters where the acceleration
+# passes through zero and, far away, where e is so near to 1 that the peak of the ratio is narrower
+# than eps*|x|; the slopes have the envelope of |sin x|, |cos x| <= 1. The proved bounds, and the
+# worst errors found, are in the certificates.
 # Below 1e-290 the products with phi1 lose bits to the range of doubles.
 LEAST = sp.Rational(1, 10**300)
 LOW_WORD = (
@@ -41,7 +41,7 @@ LOW_WORD = (
     R1 >= LEAST,
     R2 >= LEAST,
 )
-# k**2, and what it is divided by where e is next to 1.
+# k**2, and its divisor where e is next to 1.
 SQUARE_OF_SPEED = R1 <= 10**130 * R2
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * sp.cos(x)) ** 2
 EPS_X = EPS * sp.Abs(x)
@@ -52,10 +52,10 @@ ACCELERATION_SCALE = Scale(
 
 # Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
 # between -2*e/(1 + e) and 2*e/(1 - e), by the extremes of the ratio, and is steepest at whole
-# turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and
-# at most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is 2 eps,
-# whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
-# eps, however small the eccentricity: they have no such threshold but e = 0.
+# turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and at
+# most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is 2 eps, whatever
+# phi1 and R1/R2 are. The ratio and the acceleration lose some |x| times 2*e/(1 - e) eps, however
+# small the eccentricity is: they have no such threshold except e = 0.
 PLAIN_PRODUCT = e <= sp.Rational(1, 2)
 
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
@@ -67,17 +67,17 @@ def over_turns(code: EmittedForm) -> Statement:
     return on_branch(code.output(x), whole, {x: x + 2 * sp.pi * turns}, turns)
 
 
-# Fourier series. Cut after n terms, its error starts with slope 0 at x = 0, where it vanishes, and
-# has the slope of `remainder` with e**n, n*x. Each further term takes no more from that than
+# Fourier series. Cut off after n terms, its error starts with slope 0 at x = 0, where it vanishes,
+# and has the slope of `remainder` with e**n, n*x. Each further term takes no more from that than
 # `tail` falls, and both go to 0 with e**n: the error stays below `tail`. E stands for e**n and T
 # for n*x, so that one step proves every n.
 def remainder(power: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """Slope of what is left of the series, power = e**n and angle = n*x."""
+    """Slope of the remainder of the series, power = e**n and angle = n*x."""
     return 2 * power * e * (sp.cos(angle + x) - e * sp.cos(angle)) / (1 + e**2 - 2 * e * sp.cos(x))
 
 
 def tail(power: sp.Expr, terms: sp.Expr) -> sp.Expr:
-    """Bound of what is left of the series after `terms` terms, power = e**terms."""
+    """Bound of the remainder of the series after `terms` terms, power = e**terms."""
     return 2 * power * e / ((terms + 1) * (1 - e))
 
 
@@ -88,7 +88,7 @@ STEP_OF_SERIES = (
 
 
 def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
-    """Make the statement that a form is the series cut after so many terms."""
+    """Return the statement that a form is the series cut off after `terms` terms."""
 
     def states(code: EmittedForm) -> Statement:
         form = code.output(x)
@@ -105,24 +105,24 @@ def by_series(terms: int) -> Callable[[EmittedForm], Statement]:
 
 
 def cut_series(terms: int) -> sp.Expr:
-    """Return the position by the series cut after so many terms."""
+    """Return the position by the series cut off after `terms` terms."""
     return (1 + k) * phi1 + sum(
         sp.Rational(2, m) * e**m * sp.sin(m * x) for m in range(1, terms + 1)
     )
 
 
-# Roundings of float32, u = 2**-24, in Clenshaw's recurrence
-# b_m = a_m + 2 cos(y) b_(m+1) - b_(m+2): |b_m| <= 2 e**m/(1 - e), and an error d in b_m moves the
-# sum by |sin(m y)*d| <= |d|. A step loses 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the
-# cosine 3u of itself; coefficients and y lose u, the sine 3u and the product u. Up to |x| = 2**26
-# x, rounded twice, and its reduction lose 2**-26 each, and the two sums in double as much.
+# Roundings of float32, u = 2**-24, in Clenshaw's recurrence b_m = a_m + 2 cos(y) b_(m+1) - b_(m+2):
+# |b_m| <= 2 e**m/(1 - e), and an error d in b_m moves the sum by |sin(m y)*d| <= |d|. A step loses
+# 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the cosine 3u of itself; coefficients and y lose
+# u, the sine 3u and the product u. Up to |x| = 2**26 x, rounded twice, and its reduction lose
+# 2**-26 each, as do the two sums in double.
 IN_SINGLE = (e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)) / 2**24 + sp.Rational(
     1, 2**24
 )
 
 
 def fourier(terms: int, single: bool = False) -> Form:
-    """Make the form of a series cut after so many terms, computed in doubles or in float32."""
+    """Return the form of a series cut off after `terms` terms, in doubles or in float32."""
     bound = tail(e**terms, sp.Integer(terms))
     return Form(
         f"Fourier series, {terms} terms" + (", float32" if single else ""),
@@ -135,8 +135,8 @@ def fourier(terms: int, single: bool = False) -> Form:
     )
 
 
-# Roundings of k, 1 + e and 1 - e, of a product, a quotient of positive terms and their sum with
-# 1: 1/2 eps each, 3 eps if all are in one direction.
+# Roundings of k, 1 + e and 1 - e, of a product, a quotient of positive terms and their sum with 1:
+# 1/2 eps each, 3 eps if all are in one direction.
 EXTREME = Accuracy(3, within=(R1 <= 10**300 * R2,))
 
 HALF_TANGENT = sp.tan(x / 2)

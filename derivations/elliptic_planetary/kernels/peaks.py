@@ -1,4 +1,4 @@
-"""What can be computed of peaks of paper 1: the jerk, extremes of acceleration and jerk, places."""
+"""Quantities of peaks of paper 1: the jerk, extremes of acceleration and jerk, and their places."""
 
 import sympy as sp
 
@@ -12,16 +12,16 @@ from . import motion
 from .charts import BESIDE_THRESHOLD, BY_SIZES, OF_JERK
 
 # Accuracy, in eps, every rounding 1/2 and all in one direction; atan2 within an ulp. square 0.75,
-# root_acceleration 1.75, BOTH 2.25, peak_acceleration 2.7: the angle 6.7; the acceleration 19.5,
-# of which the square in its denominator has 7.3. root_jerk 2: the largest jerk 21, the smallest 7.
-# The jerk itself is a difference, of whose terms it has the accuracy;
-# cos(x) is one itself, of the squares of the half angle's parts.
-# The cube of R1/R2 over the fifth power of 1 - e is met on the way, and is a double.
+# root_acceleration 1.75, BOTH 2.25, peak_acceleration 2.7: the angle 6.7; the acceleration 19.5, of
+# which the square in its denominator makes 7.3. root_jerk 2: the largest jerk 21, the smallest 7.
+# The jerk itself is a difference, with an accuracy relative to its terms; cos(x) is itself one, of
+# the squares of the half angle's parts.
+# The cube of R1/R2 over the fifth power of 1 - e occurs on the way, and is a double.
 SIZES = (R1 >= motion.LEAST, R2 >= motion.LEAST, R1 <= 10**75 * R2)
-# Beside half turns of x the jerk divides by a power of the tangent before it multiplies.
+# Next to half turns of x the jerk divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW = (sp.Or(sp.Eq(e, 0), sp.Ge(e, sp.Rational(1, 10**100))),)
 EITHER_TERM = jerk_scale(2 * e * k**3 * (1 - e**2), e, x, motion.EPS_X)
-# Next to the threshold half a turn is left with the root of 10 e - square.
+# Next to the threshold, the remainder to half a turn goes with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
     "the value and what the rounding of 10*e - square makes of it",
     peaks.ANGLE_OF_JERK + 1 / (k * sp.sqrt(sp.Max(sp.Abs(10 * e - square), EPS))),
@@ -37,7 +37,7 @@ def of_sizes(
     singular: tuple[Singular, ...] = (),
     charts: tuple[Chart, ...] = (),
 ) -> Quantity:
-    """Make a quantity of the sizes alone."""
+    """Return a quantity of the sizes alone."""
     return Quantity(
         name,
         summary,
@@ -48,7 +48,7 @@ def of_sizes(
         unit="rad" if name.startswith("angle") else "1",
         accuracy=accuracy,
         singular=(*motion.ENDS_OF_E, *singular),
-        # At a threshold what is differentiated has a kink.
+        # At a threshold the differentiated function has a kink.
         slopes=None if singular else SLOPES,
     )
 

@@ -1,4 +1,4 @@
-"""What paper 1 states, and what of ours stands beside it."""
+"""The rows of paper 1: what it states, and our own results."""
 
 from . import design, peaks, position, readings
 

@@ -1,6 +1,6 @@
-"""Sizes of paper 1 from what its ratio is wanted to be: the inverses of its extremes.
+"""Sizes of paper 1 from the ratio that is wanted: the inverses of its extremes.
 
-Written without differences of like numbers but those that the wanted ratios themselves make.
+Written without differences of nearly equal numbers, except those of the wanted ratios themselves.
 """
 
 from sympy import Expr, diff, sqrt
@@ -41,7 +41,7 @@ def inverse_row(
     *parts: tuple[Expr, Expr],
     on: Part | None = None,
 ) -> Claim:
-    """State that sizes so found have the ratios that are wanted."""
+    """State that sizes found in this way have the wanted ratios."""
     return ours(
         f"design, {number}",
         latex,

@@ -22,7 +22,7 @@ def start_of_8(variant: int) -> Expr:
 
 
 def at_quarter(member: Expr) -> Expr:
-    """Return what a member of (10) integrates at x = 90 degrees, for the smaller e."""
+    """Return the integrand of a member of (10) at x = 90 degrees, for the smaller e."""
     integrand = member.function.subs(member.variables[0], pi / 2)
     return integrand.subs({a1: 1 + e**2, b1: 2 * e}).subs(e, VARIANTS[1][2])
 

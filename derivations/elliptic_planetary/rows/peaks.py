@@ -1,7 +1,7 @@
 """Peaks of the acceleration and of the jerk of paper 1: where they occur, and how large they are.
 
-By c = cos(x) the derivative of either changes its sign once at most: the place is named, and the
-peak is the value there. Everything is written without differences of like numbers.
+In terms of c = cos(x) the derivative of either changes its sign at most once: the place is named,
+and the peak is the value there. Everything is written without differences of nearly equal numbers.
 """
 
 import sympy as sp
@@ -10,8 +10,8 @@ from mechproof.record import *
 
 from ..mechanics import *
 
-# Acceleration: it grows and falls with sin(x)/(square - 2 e c)**2, extreme where
-# 2 e c**2 + square*c - 4 e = 0.
+# Acceleration: it grows and falls with sin(x)/(square - 2 e c)**2, and is extreme where 2 e c**2 +
+# square*c - 4 e = 0.
 BOTH = square + root_acceleration
 SMALLEST_ACCELERATION = (
     2 * sp.atan2((1 - e) * sp.sqrt(peak_acceleration), sp.sqrt(BOTH + 8 * e)) / k
@@ -49,7 +49,7 @@ PROPER = Part("0 < e < 1", {e: sp.Interval.open(0, 1)})
 BEYOND = Part("5 - 2 sqrt(6) < e < 1", {e: sp.Interval.open(5 - 2 * sp.sqrt(6), 1)})
 UP_TO_THRESHOLD = Part("1 + e^2 >= 10 e", {e: sp.Interval.open(0, 1)}, (1 + e**2 >= 10 * e,))
 
-# By c = cos(x): what the derivatives have the sign of.
+# In terms of c = cos(x): factors that have the sign of the derivatives.
 turn_of_acceleration = 2 * e * c**2 + square * c - 4 * e
 jerk_by_c = turn_of_acceleration / (square - 2 * e * c) ** 3
 turn_of_jerk = (2 * e * c) ** 2 + 4 * square * (2 * e * c) + square**2 - 24 * e**2
@@ -66,7 +66,7 @@ C_JERK = (root_jerk - 2 * square) / (2 * e)
 
 
 def cosine_of(t_squared: sp.Expr) -> sp.Expr:
-    """Cosine of an angle by the square of the tangent of its half."""
+    """Return the cosine of an angle from the square of the tangent of its half."""
     return (1 - t_squared) / (1 + t_squared)
 
 

@@ -1,4 +1,4 @@
-"""What paper 1 prints of ratio and position: the velocity plan and (1) to (8), (9) to (12)."""
+"""Prints of paper 1 on ratio and position: the velocity plan and (1) to (8), (9) to (12)."""
 
 from sympy import Expr, Ge, Integral, Matrix, S, atan, diff, oo, pi, sqrt, tan
 
@@ -193,7 +193,8 @@ POSITION_ROWS = (
     ),
 )
 
-# What (12) lacks on its first branch, by U = tg(x/2), and where that ends, in degrees.
+# By how much (12) is too small on its first branch, by U = tg(x/2), and where that branch ends, in
+# degrees.
 ROOT = sqrt((1 - e) / (1 + e))
 LACK = 2 * atan(U * (1 + e) / (1 - e)) - 2 * ROOT * atan(U / ROOT)
 BRANCH_END = 180 * R2 / R1

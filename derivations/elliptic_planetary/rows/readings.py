@@ -1,4 +1,4 @@
-"""Tables 1 to 3 of paper 1: its variants, its encoders, what its readings say and what follows."""
+"""Tables 1 to 3 of paper 1: its variants, its encoders, its readings and what follows from them."""
 
 from sympy import Abs, Expr, Ge, Gt, Integral, Ne, Rational, atan, cos, diff, pi, sin
 
@@ -64,7 +64,7 @@ def interval_row(number: int, note: str) -> Claim:
 
 
 def turned_wheel_6(degrees: str) -> Expr:
-    """Return the mean error, in degrees, that wheel 6 makes if it is so turned on its shaft."""
+    """Return the mean error, in degrees, if wheel 6 is turned on its shaft by this angle."""
     return -2 * lead.subs(x, Rational(degrees) * pi / 180).subs(e, VARIANTS[2][2]) * 180 / pi
 
 
@@ -129,7 +129,7 @@ LARGEST_MEAN_ERROR = max(Abs(line.mean) for line in READINGS.values())
 
 
 def mean_lack(number: int) -> Expr:
-    """Return by how many degrees (12) is too small in the mean of its first branch."""
+    """Return the mean number of degrees by which (12) is too small on its first branch."""
     # Without tangents: 2 arctg((1 + e)/(1 - e) tg(x/2)) is x and twice the lead, and the root in
     # (12) is (1 + e)/(1 - e) of another e.
     other = (1 - ROOT) / (1 + ROOT)

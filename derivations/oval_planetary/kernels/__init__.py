@@ -1,4 +1,4 @@
-"""What can be computed of paper 2."""
+"""The quantities of paper 2."""
 
 from . import jerk, motion
 

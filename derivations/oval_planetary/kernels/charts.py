@@ -1,4 +1,4 @@
-"""Coordinates over which the rounding errors of paper 2 are bounded."""
+"""Coordinates in which the rounding errors of paper 2 are bounded."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -21,26 +21,26 @@ from ..._eccentric import (
 )
 from ..mechanics import R4, R5, e1, e2, mount, phi1
 
-# The radius that scales both, the smaller one as a share of it, or what it lacks, and x.
+# The radius that scales both, the smaller one as a share of it, or the share that it lacks, and x.
 RADIUS, SHARE, LACK = (Symbol(name, positive=True) for name in ("R", "share", "lack"))
 
 
 class Wheels(NamedTuple):
-    """The radii, how many times x/2 the angle of the carrier is, and the range of a share."""
+    """The radii, the angle of the carrier as a multiple of x/2, and the range of a share."""
 
     radii: Mapping[Symbol, Expr]
     inverse: Expr
     within: Mapping[Symbol, Interval]
 
     def chart(self, text: str, x: Expr, e: Expr, within: Ranges, rest: Expr | None = None) -> Chart:
-        """Make the chart of x and e2, or of x by what is left of it after whole turns."""
+        """Return the chart of x and e2, or of x by its remainder after whole turns."""
         arguments = {**self.radii, phi1: x * self.inverse / 2, e2: e}
         ranges = {**self.within, RADIUS: Interval(0, oo), **within}
         return Chart(text, arguments, ranges, None if rest is None else ANGLE_X, rest)
 
 
 def divide(inverse: Expr, smaller: Expr, share: Symbol, within: Interval) -> tuple[Wheels, Wheels]:
-    """Make the wheels of which 4 is the larger, and those of which 5 is."""
+    """Return the wheels of which 4 is the larger, and those of which 5 is."""
     larger = Wheels({R4: RADIUS, R5: smaller * RADIUS}, inverse, {share: within})
     return larger, Wheels({R4: smaller * RADIUS, R5: RADIUS}, 1 / inverse, {share: within})
 
@@ -58,7 +58,7 @@ OF_JERK = tuple(
 )
 
 ROUND = "|x| <= 3 and e2 <= 1/2"
-# What the plain product is for: e2 is no more than what the smaller radius lacks.
+# The domain of the plain product: e2 is at most the share that the smaller radius lacks.
 ANY_X = {ANGLE_X: Interval(0, 3)}
 PLAIN = (
     *(wheels.chart(ROUND, ANGLE_X, e2, {**ANY_X, e2: UP_TO_HALF}) for wheels in UNLIKE),
@@ -66,12 +66,12 @@ PLAIN = (
 )
 NEGATED = ((phi1,),)
 
-# Two pairs of ovals as they are mounted in print: by the larger eccentricity.
+# Two pairs of ovals mounted as printed: by the larger eccentricity.
 LARGER, BEFORE_POLE = Symbol("larger", positive=True), Rational(3, 2)
 
 
 def mounted(flattest: Expr) -> tuple[Chart, ...]:
-    """Make the charts of pairs whose eccentricities are at most a number."""
+    """Return the charts of pairs whose eccentricities are at most `flattest`."""
     return tuple(
         Chart(
             f"mount = 0, |phi1| <= {BEFORE_POLE} and e1, e2 <= {flattest}",
@@ -87,6 +87,6 @@ def mounted(flattest: Expr) -> tuple[Chart, ...]:
 
 
 MOUNTED = mounted(UP_TO_HALF.end)
-# The jerk is a sum of more terms, of which boxes tell less.
+# The jerk is a sum of more terms, whose enclosures over boxes are wider.
 MOUNTED_ROUNDER = mounted(Rational(1, 4))
 MOUNTED_NEGATED = ((phi1, mount),)

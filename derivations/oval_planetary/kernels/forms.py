@@ -11,9 +11,9 @@ from ..._eccentric import on_branch
 from ..mechanics import *
 from ..rows.equations import print_radius
 
-# All coefficients divided by 1 - e2, and beta + gamma*t split into less + y. y has the sine of the
-# mounted wheel's angle as a factor and is large beside the rest as e2 -> 1; rounded once, it
-# enters both arguments of atan2, and what is left of it where it vanishes is one small angle.
+# All coefficients divided by 1 - e2, and beta + gamma*t split into lesser + y. y has the sine of
+# the mounted wheel's angle as a factor and dominates the rest as e2 -> 1; rounded once, it enters
+# both arguments of atan2, and its remainder where it vanishes is a single small angle.
 POSITION_FORM = sp.atan2(t * (y - swing), lesser + y + both * t**2)
 SPREAD_FORM = (lesser + y) ** 2 + both**2 * t**2
 WHEEL_3_FORM = both * (lesser + shift) * (1 + t**2) / SPREAD_FORM
@@ -25,7 +25,7 @@ TILT = (
 ACCELERATION_FORM = 2 * WHEEL_3_FORM * sum(TILT) / SPREAD_FORM
 
 # Statements. The coefficients of the map are variables of their own, lambda, mu, nu, and the steps
-# are those of the paper: so neither proof has to deal with more than it is about.
+# are those of the paper: so each proof deals only with its own subject.
 PARTS = {both: lam, lesser: mu - xi, shift: xi, rise: nu, swing: lam - mu + xi}
 DOUBLE = {alpha_double: lam, beta_double: mu, gamma_double: nu}
 ANY_MAP = {alpha: lam, beta: mu, gamma: nu, delta: lam - mu}
@@ -38,7 +38,7 @@ TANGENT = tuple(Equality(f, by.subs(tangent, t)) for f, by in BY_TANGENT.items()
 
 
 def of_parts(code: EmittedForm, *unused: sp.Symbol) -> tuple[Equality, ...]:
-    """State what the emitted steps are, 1 - e2 times: the coefficients of the map."""
+    """State that the emitted steps, times 1 - e2, are the coefficients of the map."""
     step = {part: code.step(part) for part in PARTS if part not in unused}
     sums = {
         alpha: step[both],
@@ -50,7 +50,7 @@ def of_parts(code: EmittedForm, *unused: sp.Symbol) -> tuple[Equality, ...]:
 
 
 def by_parts(definition: sp.Expr, *unused: sp.Symbol) -> Callable[[EmittedForm], Statement]:
-    """Make the statement of a form in the parts, and of the parts."""
+    """Return the statement of a form in terms of the parts, and of the parts themselves."""
 
     def states(code: EmittedForm) -> Statement:
         form = code.output(*PARTS).xreplace(PARTS)
@@ -60,20 +60,20 @@ def by_parts(definition: sp.Expr, *unused: sp.Symbol) -> Callable[[EmittedForm],
 
 
 def position_by_parts(code: EmittedForm) -> Statement:
-    """State the position of the parts, by the tangent, and the parts."""
+    """State the position in terms of the parts, by the tangent, and the parts themselves."""
     form = code.output(*PARTS).xreplace({**PARTS, t: tangent})
     position = POSITION.xreplace(SCALED_MAP).xreplace(BY_TANGENT)
     return all_of(Equality(form, position), *TANGENT, *of_parts(code))
 
 
 def of_double(code: EmittedForm) -> tuple[Equality, ...]:
-    """State what the emitted steps are: the coefficients of the map."""
+    """State that the emitted steps are the coefficients of the map."""
     pairs = zip(DOUBLE, (alpha, beta, gamma), strict=True)
     return tuple(Equality(code.step(step), coefficient) for step, coefficient in pairs)
 
 
 def by_map(definition: sp.Expr) -> Callable[[EmittedForm], Statement]:
-    """Make the statement of a form of any map, and of the coefficients."""
+    """Return the statement of a form for any map, and of the coefficients."""
 
     def states(code: EmittedForm) -> Statement:
         form = code.output(*DOUBLE).xreplace(DOUBLE)
@@ -83,13 +83,13 @@ def by_map(definition: sp.Expr) -> Callable[[EmittedForm], Statement]:
 
 
 def position_by_map(code: EmittedForm) -> Statement:
-    """State the position of any map, by the tangent, and the coefficients."""
+    """State the position for any map, by the tangent, and the coefficients."""
     form = code.output(*DOUBLE).xreplace({**DOUBLE, t: tangent})
     position = POSITION.xreplace(ANY_MAP).xreplace(BY_TANGENT)
     return all_of(Equality(form, position), *TANGENT, *of_double(code))
 
 
-# The double angle of wheel 6, by which the row on any mount puts the two pairs in series.
+# The double angle of wheel 6, by which the row on any mount combines the two pairs in series.
 WHEEL_6 = (Equality(sp.cos(2 * phi6_closed), cos_6), Equality(sp.sin(2 * phi6_closed), sin_6))
 
 
@@ -138,15 +138,15 @@ PRINTED_RADII = {
     rho6: print_radius(e2, phi6_closed + mount),
 }
 
-# Accuracy. The terms of y = shift + rise*t are rounded, and where they cancel the value makes of
-# that what no evaluation from a rounded tangent is spared: up to 1/(1 - e2), where the major axes
-# of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, and added to it what
-# the value makes of y with its terms changed against each other, 0 without a mount; at the peak of
-# the ratio, where less + y vanishes, that is of second order in eps. The rest is some 20
-# operations; the bounds lie above what long searches for the worst input find, compiled.
-# At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
-# eccentricities are below 1/2: 4 eps that the rest of the product saves. Beside a mounted wheel two
-# terms of like size meet, each with roundings of its own.
+# Accuracy. The terms of y = shift + rise*t are rounded, and where they cancel, the value amplifies
+# that in a way that no evaluation from a rounded tangent can avoid: up to 1/(1 - e2), where the
+# major axes of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, plus the
+# effect on the value of changing the terms of y against each other, 0 without a mount; at the peak
+# of the ratio, where lesser + y vanishes, that is of second order in eps. The rest is some 20
+# operations; the bounds are above the worst errors that long searches find, compiled.
+# At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings if both
+# eccentricities are below 1/2: 4 eps, which the rest of the product saves. With a mounted wheel two
+# terms of similar size meet, each with roundings of its own.
 T, R, S, W, Z, VALUE = sp.symbols("t R S W Z value", real=True)
 OF_T = {t: T}
 STEPS = (
@@ -187,8 +187,8 @@ ACCELERATION_SCALE = Scale(
     (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
 )
 
-# Products with an eccentricity and the angle or the mount stay above the subnormals, with all
-# their digits.
+# Products of an eccentricity with the angle or the mount stay above the subnormals, with all their
+# digits.
 NO_UNDERFLOW = (
     sp.Or(
         sp.Eq(phi1, 0), sp.Eq(e1 + e2, 0), sp.Ge(sp.Abs(phi1) * (e1 + e2), sp.Rational(1, 2**960))
@@ -196,19 +196,19 @@ NO_UNDERFLOW = (
     sp.Or(sp.Eq(mount, 0), sp.Eq(e2, 0), sp.Ge(sp.Abs(mount) * e2, sp.Rational(1, 2**830))),
 )
 
-# With the low word, x is known to eps**2 relative, and what is left are the roundings of some 20
-# operations, tan and atan within an ulp; the bounds lie above what searches find, as before.
-# What the error of x itself makes, eps**2*|x| times the slope, counts where the acceleration passes
-# through zero, and beside it only far away near e2 = 1. The slope of the acceleration has the
-# envelope of |sin x|, |cos x| <= 1.
+# With the low word, x is known to eps**2 relative; the roundings of some 20 operations remain, tan
+# and atan within an ulp; the bounds are above what searches find, as before. The effect of the
+# error of x itself, eps**2*|x| times the slope, matters where the acceleration passes through zero,
+# and otherwise only far away near e2 = 1. The slope of the acceleration has the envelope of |sin
+# x|, |cos x| <= 1.
 LOW_WORD = (sp.Abs(x) <= 2**26,)
 NO_UNDERFLOW_OF_LEAD = (
     sp.Or(sp.Eq(phi1, 0), sp.Eq(e2, 0), sp.Ge(sp.Abs(phi1) * e2, sp.Rational(1, 2**960))),
 )
 
-# Beside half turns of x the acceleration divides by a power of the tangent before it multiplies.
+# Next to half turns of x the acceleration divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW_OF_QUOTIENT = (sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**330))),)
-# k**2, times a tiny e2, and divided by what is tiny where e2 is next to 1.
+# k**2, times a tiny e2, and divided by a tiny number where e2 is next to 1.
 SQUARE_OF_SPEED = (R4 >= R5 / 10**45, R4 <= 10**130 * R5)
 EPS_X = EPS * sp.Abs(x)
 OF_X = ((k, GIVEN[k]), (x, GIVEN[x]))
@@ -232,9 +232,9 @@ ACCELERATION_CYLINDRICAL_SCALE = Scale(
 
 # Without it x = 2*k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
 # between -e2/(1 + e2) and e2/(1 - e2), so the plain product costs at most 2*k*e2/(1 - e2) eps of
-# |phi1|. Where k*e2/(1 - e2) <= |1 - k| that is half the bound, whatever phi1. The ratio and the
-# acceleration lose some |x|*e2/(1 - e2) eps, however small the eccentricity: they have no such
-# threshold but e2 = 0.
+# |phi1|. Where k*e2/(1 - e2) <= |1 - k| that is half the bound, whatever phi1 is. The ratio and the
+# acceleration lose some |x|*e2/(1 - e2) eps, however small the eccentricity is: they have no such
+# threshold except e2 = 0.
 PLAIN_PRODUCT = R4 * e2 <= sp.Abs(R5 - R4) * (1 - e2)
 
 ACCURACY = {

@@ -27,8 +27,8 @@ FORM = (
 )
 
 
-# Accuracy. Both are differences, of whose terms they have the accuracy: some 30 operations, with
-# what the terms of y, changed against each other, and eps*x make of them, as for the acceleration.
+# Accuracy. Both are differences, with an accuracy relative to their terms: some 30 operations, plus
+# the effect of the terms of y, changed against each other, and of eps*x, as for the acceleration.
 TERMS = Scale(
     "the larger of the terms, and what the roundings of y make of them",
     forms.W
@@ -52,9 +52,9 @@ TERMS = Scale(
         (forms.Z, sum(forms.TILT).xreplace(forms.OF_T)),
     ),
 )
-# k**3, times a tiny e2, and divided by what is tiny where e2 is next to 1.
+# k**3, times a tiny e2, and divided by a tiny number where e2 is next to 1.
 CUBE_OF_SPEED = (R4 >= R5 / 10**30, R4 <= 10**80 * R5)
-# Beside half turns of x it divides by a power of the tangent before it multiplies.
+# Next to half turns of x it divides by a power of the tangent before it multiplies.
 NO_UNDERFLOW_OF_CUBES = sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**300)))
 TERMS_CYLINDRICAL = jerk_scale(8 * e2 * k**3 * (1 - e2**2), e2, x, forms.EPS_X, forms.OF_X)
 

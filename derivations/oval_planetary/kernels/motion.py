@@ -1,4 +1,4 @@
-"""What can be computed of paper 2: ratio, position and acceleration, and every form of them."""
+"""Quantities of paper 2: ratio, position and acceleration, and every form of them."""
 
 import sympy as sp
 
@@ -22,7 +22,7 @@ def over_turns(code: EmittedForm) -> Statement:
     )
 
 
-# The derivatives of the position are told up to here.
+# The bounds of the derivatives of the position are stated up to here.
 FLAT = sp.Rational(999, 1000)
 ECCENTRICITIES = (0, 0.28, 0.5, 0.9, 0.99, 1)
 CARRIER = Argument(
@@ -165,8 +165,9 @@ QUANTITIES = (
         ),
         f"{SOURCE}, integral (11)",
         unit="rad",
-        # Beyond, a step in 1 - e that cancels is not known well enough; both parts of the slope are
-        # rounded, and up to there they cancel by no more than a few of 4 eps.
+        # Beyond, a step in 1 - e that cancels is not known accurately enough; both parts of the
+        # slope are rounded, and up to there their cancellation costs no more than a few times 4
+        # eps.
         slopes=Accuracy(16, within=(e1 <= FLAT, e2 <= FLAT)),
         accuracy=forms.ACCURACY["position"],
         singular=SINGULAR_OVALS,

@@ -1,4 +1,4 @@
-"""What paper 2 states, and what of ours stands beside it."""
+"""The rows of paper 2: what it states, and our own results."""
 
 from . import dwells, equations, pairs, readings, variants
 

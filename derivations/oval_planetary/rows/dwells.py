@@ -1,7 +1,7 @@
-"""Which drives with a cylindrical pair 4-5 dwell: what a search for all of them rests on.
+"""Which drives with a cylindrical pair 4-5 dwell: the basis of a search for all of them.
 
 About x = pi, where the satellite's wheel 6 drives wheel 3 most slowly, and about x = 0, where it
-drives it fastest, the position is one arctangent with the factor q = (1 - e2)/(1 + e2) or 1/q.
+drives it fastest, the position is a single arctangent with the factor q = (1 - e2)/(1 + e2) or 1/q.
 """
 
 import sympy as sp
@@ -23,7 +23,7 @@ QUARTER = sp.pi * R5 / (2 * R4)
 
 
 def from_place(place: sp.Expr) -> sp.Expr:
-    """Return how far the output is from where it is at a place of the carrier."""
+    """Return how far the output has moved from its position at a place of the carrier."""
     return position_45.subs(phi1, phi1 + place) - position_45.subs(phi1, place)
 
 

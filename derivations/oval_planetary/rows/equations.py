@@ -1,4 +1,4 @@
-"""The equations (1)-(11) of paper 2, read, and what is found beside each."""
+"""The equations (1)-(11) of paper 2 as read, and our findings on each."""
 
 import sympy as sp
 
@@ -7,12 +7,12 @@ from mechproof.record import ChainLink, Correction, Equality, Holds, Part, Readi
 from ..._eccentric import roll
 from ..mechanics import *
 
-# What is printed, for claims and kernels.
+# Printed expressions, for claims and kernels.
 (_, print_2), (_, print_5), (_, print_7), (_, print_10) = map(read, ("(2)", "(5)", "(7)", "(10)"))
 
 
 def print_radius(eccentricity: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """Right-hand side of (2), and with other letters of (3) and (4)."""
+    """Right-hand side of (2), and with other letters that of (3) and (4)."""
     return print_2.subs({e: eccentricity, phi: angle}, simultaneous=True)
 
 

@@ -1,4 +1,4 @@
-"""Two oval pairs act as one and only swing the output; a cylindrical pair beside an oval one."""
+"""Two oval pairs act as one and only swing the output; a cylindrical pair with an oval one."""
 
 import sympy as sp
 

@@ -40,7 +40,7 @@ def interval_row(variant: int) -> Claim:
 
 
 def turned_wheel_6(variant: int, degrees: str) -> sp.Expr:
-    """Return the mean error, in degrees, that wheel 6 makes if it is so turned on its shaft."""
+    """Return the mean error, in degrees, if wheel 6 is turned on its shaft by this angle."""
     lam, mu, nu = COEFFICIENTS
     double = sp.atan2(e2 * sp.sin(2 * mount), 1 - e2 * sp.cos(2 * mount))
     mean = sp.atan2(nu, lam + mu) if e1 in VARIANTS[variant] else double

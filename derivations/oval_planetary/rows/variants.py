@@ -1,4 +1,4 @@
-"""The variants of paper 2, the motions they make, and what is said of motions."""
+"""The variants of paper 2, the motions they make, and what is said of these."""
 
 import sympy as sp
 
@@ -39,7 +39,7 @@ def reverses(ratio: sp.Expr) -> tuple[Holds, Holds]:
     return less(start, sp.S.Zero), less(sp.S.Zero, quarter)
 
 
-# What wheel 6 turns on a cylindrical pair 4-5.
+# The turn of wheel 6 with a cylindrical pair 4-5.
 ROLLED_45 = integrate(satellite_against_carrier.subs(AXES_45))
 WITHOUT_SLIP = Equality(R4 / R5 * phi1, ROLLED_45)
 OF_PAIR_36 = sp.Rational("0.2")

@@ -1,4 +1,4 @@
-"""What can be computed of paper 3."""
+"""The quantities of paper 3."""
 
 from . import chords
 

@@ -1,4 +1,4 @@
-"""How accurate the kernels of paper 3 are, and what is left out."""
+"""Accuracy of the kernels of paper 3, and bounds of what approximations leave out."""
 
 from collections.abc import Callable
 
@@ -21,7 +21,7 @@ CANCELLING = Scale(
     value * (1 + (r_b * t_c) ** 2 / radicand),
     ((value, linearisation_bound), (radicand, linearisation_root.subs(dh, sp.Abs(dh)))),
 )
-# No square, no cube and no product of them leaves the range of a double.
+# No square, cube or product of them leaves the range of a double.
 SQUARES_IN_RANGE = (
     sp.Or(sp.Eq(dh, 0), sp.Ge(sp.Abs(dh), sp.Rational(1, 10**100))),
     sp.Ge(m, sp.Rational(1, 10**30)),
@@ -37,17 +37,17 @@ ACCURACY = {
     "chord_height": Accuracy(3),
     # In units of r_b |tilt| (1 + t_c + |tilt|), the terms with t_c being the largest; t = |tilt|:
     # t_c 4.5, cos(alpha) 1.54, r_b 2.54. `along` 7 of t_c |sin(tilt)| and 3.5 of t**2, `across` 8
-    # of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. Of the products with sin(alpha) 1.5 and with
-    # cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most
-    # 12.6 sin(t)/t + 9.2 (1 - cos(t))/t <= 15 for t_c; the thickness twice
-    # 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2. Searches find a tenth of it: roundings do not add
-    # up, and no tangent was met that loses 4 eps.
+    # of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. For the products, with sin(alpha) 1.5 and with
+    # cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most 12.6 sin(t)/t + 9.2 (1 -
+    # cos(t))/t <= 15 for t_c; the thickness twice 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2.
+    # Searches find a tenth of it: roundings do not add up, and no tangent was found that loses 4
+    # eps.
     "height_change": Accuracy(15, ROLLING, NORMAL_TILT),
     "thickness_change": Accuracy(29, ROLLING, NORMAL_TILT),
     # Tangent 4, two products.
     "thickness_change_linear": Accuracy(5),
     # In units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2 with 2 * 8.5 and
-    # as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3; squares,
+    # at most as much of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3; squares,
     # products and quotient 4.
     "linearisation_bound": Accuracy(32, CANCELLING, SQUARES_IN_RANGE),
     # As to first order, and a difference of terms on its scale.
@@ -71,7 +71,7 @@ TAYLOR = "Taylor's remainder with |sin|, |cos| <= 1"
 
 
 def first_order(change: sp.Expr, curvature: sp.Expr) -> Callable[[EmittedForm], Statement]:
-    """Make the statement that a form is the tangent at tilt 0, with the curvature it leaves out."""
+    """Return the statement that a form is the tangent at tilt 0, and of the omitted curvature."""
 
     def states(code: EmittedForm) -> Statement:
         slope = sp.diff(change, tilt)
@@ -85,13 +85,13 @@ def first_order(change: sp.Expr, curvature: sp.Expr) -> Callable[[EmittedForm], 
     return states
 
 
-# Equation (1) with the exact derivative: what is missing grows by -m z (t_c + tilt) sin(tilt), and
+# Equation (1) with the exact derivative: the missing part grows by -m z (t_c + tilt) sin(tilt), and
 # |sin(tilt)| <= |tilt|, tan(alpha) < 1, integrated, give the bound.
 MODEL_BOUND = m * tilt**2 * (sp.pi / 4 + z / 2 + z * sp.Abs(tilt) / 3)
 
 
 def by_height(code: EmittedForm) -> Statement:
-    """State how much of the thickness the product with the height leaves out."""
+    """State which part of the thickness the product with the height leaves out."""
     missing = thickness_change - code.output()
     return all_of(
         Equality(missing.subs(tilt, 0), sp.S.Zero),
@@ -106,7 +106,10 @@ TWENTY_DEGREES = Part(
 
 
 def within_a_hundredth(code: EmittedForm) -> Statement:
-    """State that a form is off by a hundredth of the height at most: on a line through 0, of 1."""
+    """State that a form is off by at most a hundredth of the height.
+
+    Its error is a line through 0, so that a height of 1 decides.
+    """
     off = (code.output() - 2 * dh * sp.tan(alpha)).subs(alpha, sp.atan(incline))
     return all_of(
         Equality(off, off.subs(dh, 1) * dh),

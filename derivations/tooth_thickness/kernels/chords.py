@@ -1,4 +1,4 @@
-"""What can be computed of paper 3: chords, their changes along the flank, errors of thickness."""
+"""Quantities of paper 3: chords, their changes along the flank, errors of thickness."""
 
 from dataclasses import replace
 from functools import partial
@@ -45,7 +45,7 @@ ALONG_THE_FLANK = (
 ONE_WHEEL = (("N tilts, one wheel", ("tilt",)),)
 
 
-# Of a chord by its flank's tangent, in units of the base radius.
+# Of a chord given by its flank's tangent, in units of the base radius.
 distance = partial(chord_distance, half_angle=half_tooth, radius=S.One)
 half_chord = partial(chord_half, half_angle=half_tooth, radius=S.One)
 versine = 2 * sin(tilt / 2) ** 2
@@ -73,13 +73,13 @@ ANGLES, LENGTHS, SIGNED = (
 RACK = (Chart(WHERE, {m: m, alpha: alpha}, {m: LENGTHS, **ANGLES}),)
 DEPTHS = (Chart(WHERE, {dh: dh, alpha: alpha}, {dh: SIGNED, **ANGLES}),)
 
-# Of two errors of which either is larger one is a share of the other; the larger one is not
-# negative, but for the signs of both.
+# Of two errors, the smaller one is a share of the larger; the larger one is not negative, up to a
+# change of both signs.
 SHARE = sp.Symbol("share")
 
 
 def by_larger(larger: sp.Symbol, smaller: sp.Symbol, most: sp.Expr) -> Chart:
-    """Make the chart of two errors, one at most so many times the other."""
+    """Return the chart of two errors, the smaller at most `most` times the larger."""
     arguments = {larger: larger, smaller: most * larger * SHARE, alpha: alpha}
     return Chart(WHERE, arguments, {larger: LENGTHS, SHARE: sp.Interval(-1, 1), **ANGLES})
 
@@ -87,12 +87,12 @@ def by_larger(larger: sp.Symbol, smaller: sp.Symbol, most: sp.Expr) -> Chart:
 ERRORS_NEGATED = ((e_tip, dh_gauge),)
 ERRORS = (by_larger(dh_gauge, e_tip, 2), by_larger(e_tip, dh_gauge, sp.Rational(1, 2)))
 
-# Wheels with many teeth are those with a small inverse of their number.
+# Wheels with many teeth have a small inverse of their number.
 INVERSE = sp.Symbol("1/z", positive=True)
 
 
 def tilt_chart(side: sp.Expr) -> Chart:
-    """Make the chart of tilts to one side."""
+    """Return the chart of tilts to one side."""
     arguments = {tilt: side, m: m, z: 1 / INVERSE, alpha: alpha}
     within = {m: LENGTHS, INVERSE: sp.Interval(0, 1), **ANGLES, tilt: sp.Interval(0, 1)}
     return Chart(f"|tilt| <= 1 and {WHERE}", arguments, within)
@@ -100,7 +100,7 @@ def tilt_chart(side: sp.Expr) -> Chart:
 
 FLANK_CHARTS = (tilt_chart(tilt), tilt_chart(-tilt))
 
-# A depth may be this share of the module at least before the chord is at the base circle.
+# A depth may be at least this share of the module before the chord reaches the base circle.
 DEPTH = sp.Symbol("|dh|/m")
 SHALLOW = Chart(
     f"1/4 <= {WHERE} and |dh| <= 3/16*m",
@@ -116,7 +116,7 @@ DEPTH_NEGATED = ((dh,),)
 
 
 def handbook(factor: str) -> Form:
-    """Make the form that handbooks print for 20 degrees."""
+    """Return the form that handbooks print for 20 degrees."""
     return Form(
         f"{factor} m",
         Rational(factor) * m,
@@ -131,7 +131,7 @@ QUANTITIES = (
         "Compute the constant chord, between the points where a rack touches both flanks.",
         (MODULE_ARGUMENT, PROFILE),
         chord,
-        # 4.161 mm of the paper is for a module of 3 mm.
+        # The paper's 4.161 mm is for a module of 3 mm.
         (Form("squared cosine", chord, charts=RACK), handbook("1.387")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",

@@ -1,4 +1,4 @@
-"""What paper 3 states, and what of ours stands beside it."""
+"""The rows of paper 3: what it states, and our own results."""
 
 from . import algorithm, claims, design
 

@@ -27,12 +27,12 @@ HALF_OF_THE_DEVIATION = all_of(
     Equality(dh_gauge - e_tip / 2, height_deviation),
 )
 
-# Per cent of good teeth rejected, tip of IT6, steps as printed, for the two intervals.
+# Percentage of good teeth rejected, tip of IT6, steps as printed, for the two intervals.
 REJECTED = {(Rational(GAUGE_UM, 2), 3): "8.4", (Rational(GAUGE_UM), 2): "48.0"}
 
 
 def reject(number: str, limit_error: Rational, multiple: int) -> PrintedNumber:
-    """State the per cent of good teeth rejected for a limit error and what it is a multiple of."""
+    """State the percentage of good teeth rejected for a limit error of `multiple` sigma."""
     return PrintedNumber(number, 100 * rejected_by(6, limit_error, multiple))
 
 
@@ -40,7 +40,7 @@ FULL, HALF = REJECTED
 
 
 def wheels_rejected(grade: int) -> Expr:
-    """Share of good wheels, all of whose teeth are good, with a tooth rejected by steps 1 to 10."""
+    """Share of wheels with only good teeth of which a tooth is rejected by steps 1 to 10."""
     return NORMAL_SHARE**TEETH - (NORMAL_SHARE - rejected_by(grade, 0)) ** TEETH
 
 

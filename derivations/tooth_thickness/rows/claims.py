@@ -1,4 +1,4 @@
-"""What paper 3 shows in Table 1 and concludes, (a) to (e), and what follows for its numbers."""
+"""Table 1 and the conclusions (a) to (e) of paper 3, and what follows for its numbers."""
 
 from sympy import Interval, Rational, S, diff, pi, sqrt
 
@@ -85,11 +85,11 @@ EXAMPLE_ROWS = (
 # The conclusions ----------------------------------------------------------------------------------
 
 AS_PRINTED, BY_GEOMETRY = "printed", "involute"
-# Per cent of good teeth rejected by grade, as printed and by the geometry: with a perfect gauge,
+# Percentage of good teeth rejected by grade, as printed and by the geometry: with a perfect gauge,
 # and with the recommended one, whose limit error is 2 sigma.
 PERFECT = {6: ("0.35", "0.11"), 7: ("1.00", "0.23"), 8: ("3.41", "0.57")}
 RECOMMENDED = {6: ("0.41", "0.16"), 7: ("1.09", "0.28"), 8: ("3.53", "0.63")}
-# Limit error (um) of 2 and of 3 sigma at which tip and gauge disturb alike, by the geometry.
+# Limit error (um) of 2 and of 3 sigma at which tip and gauge disturb equally, by the geometry.
 CROSSOVERS = {6: ("2.5", "3.7"), 7: ("3.9", "5.9"), 8: ("6.2", "9.3")}
 LAWS = "K = 6 for tooth and tip, normal laws, centred."
 GRADE_COARSER = all_of(
@@ -99,7 +99,7 @@ GRADE_COARSER = all_of(
 
 
 def table(shares: dict[int, tuple[str, str]], limit_error: int) -> Statement:
-    """State the per cent of good teeth rejected, as printed and by the geometry."""
+    """State the percentage of good teeth rejected, as printed and by the geometry."""
     return all_of(
         *(
             PrintedNumber(number, 100 * rejected_by(grade, limit_error, 2, geometry))
@@ -110,7 +110,7 @@ def table(shares: dict[int, tuple[str, str]], limit_error: int) -> Statement:
 
 
 def write(shares: dict[int, tuple[str, str]]) -> str:
-    """Write such a table as a print."""
+    """Write a table of such percentages as a print."""
     return r",\quad ".join(
         rf"\mathrm{{IT}}{grade}\colon {printed}\to {right}~\%"
         for grade, (printed, right) in shares.items()

@@ -165,14 +165,14 @@ PARAMETER_ROWS = (
 in_print = read("step 6, influence of the involute")[1].subs(dh, height_change)
 excess_in_print = of_wheel(in_print - thickness_change)
 excess_of_0_7284 = of_wheel(PRINTED_INFLUENCE * height_change - thickness_change)
-# The tilt of a chord nearer the tip, in 1e-6, between which the secant has the printed slope.
+# The tilt of a chord nearer to the tip, in 1e-6, between which the secant has the printed slope.
 SECANT = (Rational(405, 10**6), Rational(406, 10**6))
 
 
 def good_to_the_last_place(excess: Expr) -> Conjunction:
-    """State that an excess (mm) is below one of the paper's last place, its share of the height.
+    """State that an excess (mm) is below one unit in the paper's last place, for its height.
 
-    For tilts of both signs; deeper chords have negative ones.
+    It covers tilts of both signs; deeper chords have negative ones.
     """
     return all_of(
         *(

@@ -15,7 +15,7 @@ SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
 TIP_6 = {**WHEEL, e_tip: GRADES[6][1] * MICROMETRE, dh_gauge: S.Zero}
 
 
-# Of the thickness, by the recommended gauge (3 sigma) and by a tip of IT6.
+# Standard deviations of the thickness from the recommended gauge (3 sigma) and from a tip of IT6.
 RECOMMENDED_SPREADS = (
     gauge_spread(Rational(RECOMMENDED_UM, 3), "involute") * MICROMETRE,
     tip_spread(6, "involute") * MICROMETRE,

@@ -1,4 +1,4 @@
-"""What can be computed of paper 5."""
+"""The quantities of paper 5."""
 
 from . import design, poses, sums, track
 

@@ -1,4 +1,4 @@
-"""Coordinates over which the rounding errors of paper 5 are bounded."""
+"""Coordinates in which the rounding errors of paper 5 are bounded."""
 
 import sympy as sp
 
@@ -6,7 +6,7 @@ from mechproof.record import Chart
 
 from ..mechanics import *
 
-# Near no turn all angles are multiples of the largest, with which the matrix vanishes.
+# Near the identity all angles are multiples of the largest, with which the matrix vanishes.
 QUARTER = sp.Rational(11, 7)
 LARGEST, SHARES = sp.Symbol("r"), sp.symbols("y z")
 ANYWHERE = {symbol: symbol for symbol in (*SURFACE_POINT, *SHIFT)}
@@ -18,7 +18,7 @@ RANGES = {
 
 
 def by_largest(largest: sp.Symbol) -> Chart:
-    """Make the chart of angles of which one is the largest."""
+    """Return the chart of angles in which `largest` is the largest."""
     others = (angle for angle in ANGLES if angle != largest)
     shares = {angle: LARGEST * share for angle, share in zip(others, SHARES, strict=True)}
     text = f"|alpha|, |beta|, |gamma| <= {QUARTER}"
@@ -35,13 +35,13 @@ WITHIN_HALF_TURNS = (
     ),
 )
 
-# Sizes by the larger one, of which the other is a share.
+# Sizes in terms of the larger one, of which the other is a share.
 SIZE, SHARE, OTHER_SHARE = sp.symbols("size share other_share", positive=True)
 SIZES = {SIZE: sp.Interval(0, sp.oo), SHARE: sp.Interval(0, 1)}
 
 
 def by_larger(one: sp.Symbol, other: sp.Symbol) -> tuple[Chart, ...]:
-    """Make the charts of two sizes."""
+    """Return the charts of two sizes, either being the larger."""
     return tuple(
         Chart("", {larger: SIZE, smaller: SIZE * SHARE}, SIZES)
         for larger, smaller in ((one, other), (other, one))
@@ -49,8 +49,8 @@ def by_larger(one: sp.Symbol, other: sp.Symbol) -> tuple[Chart, ...]:
 
 
 BY_RADII = by_larger(radius, amplitude)
-# theta = z*phi is the angle within the periods. The circle may be shifted either way, but not to
-# the pole, where the track has corners.
+# theta = z*phi is the angle within the periods. The circle may be shifted either way, but not as
+# far as the pole, where the track has corners.
 PHASE, COUNT = sp.Symbol("theta", positive=True), sp.Symbol("count", positive=True)
 SHIFTED, TURNED = sp.Rational(63, 64), 21
 OFF_POLE = tuple(
@@ -66,7 +66,7 @@ OFF_POLE = tuple(
     )
     for sign in (1, -1)
 )
-# Of a point the polar angle has a sine, too. It is no more than theta.
+# A point's polar angle enters by its sine, too. It is at most theta.
 INSIDE, FIRST_PART = sp.Rational(15, 16), sp.Rational(22, 7)
 PERIOD = sp.Symbol("period", positive=True)
 IN_FIRST_PART = tuple(
@@ -90,7 +90,7 @@ IN_FIRST_PART = tuple(
     for sign in (1, -1)
 )
 BY_PLANE = by_larger(error_x, error_y)
-# What is the hypotenuse in the plane is a side in space.
+# The hypotenuse of the plane is a side in space.
 BY_SPACE = tuple(
     Chart(
         "",
@@ -101,8 +101,8 @@ BY_SPACE = tuple(
     for side, height in ((SIZE, SIZE * SHARE), (SIZE * SHARE, SIZE))
 )
 
-# Sums have a coordinate of their own. Of the total the thermal error leaves more than it takes, or
-# less: a square, with which a root vanishes.
+# Sums have a coordinate of their own. The thermal error may leave more of the total than it takes,
+# or less: a square, with which a root vanishes.
 BY_TOTAL = (Chart("", {scatter: SIZE}, {SIZE: SIZES[SIZE]}),)
 RATIO, LEFT = sp.symbols("ratio left", positive=True)
 BY_REST = tuple(

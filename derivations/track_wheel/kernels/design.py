@@ -1,4 +1,4 @@
-"""What can be computed of a design of paper 5: tilts of the blank for the errors wanted."""
+"""Quantities for the design of paper 5: tilts of the blank for given errors."""
 
 from functools import partial
 
@@ -13,9 +13,10 @@ from .charts import SIZE
 from .poses import SOURCE
 from .track import HEIGHT
 
-# Of a tilt only the error beyond the offset counts, which in the plane is of any size beside it.
+# For a tilt only the error beyond the offset matters, which in the plane may be of any size
+# relative to it.
 ONE, TWO, THREE, OFFSET_ALONE = sp.symbols("one two three offset_alone", positive=True)
-# Of the largest error, its root and a little, and the reciprocal of that and a little.
+# Of the largest error, its root rounded up, and the reciprocal of that rounded up.
 MOST, ROOT, OVER_ROOT = sp.Rational(15, 16), sp.Rational(31, 32), sp.Rational(17, 16)
 ENDS = {SIZE: sp.oo, ONE: 1, TWO: 1, THREE: 1, OFFSET_ALONE: sp.oo}
 BY_RADIUS, BY_HEIGHT = (radius_vector, thickness), (thickness, radius_vector)
@@ -30,9 +31,9 @@ def beyond_offset(
     over: sp.Expr,
     **ends: sp.Expr,
 ) -> Chart:
-    """Make the chart of two sizes by the larger one, and of an error beyond an offset.
+    """Return the chart of two sizes by the larger one, and of an error beyond an offset.
 
-    That is a share of their sum. What vanishes under the root does so as one product.
+    The excess is a share of their sum. Whatever vanishes under the root does so as one product.
     """
     larger, smaller = sizes
     whole = sp.expand(offset + over * SIZE * (1 + share))
@@ -61,8 +62,8 @@ FOR_SPATIAL = (
     in_space(BY_HEIGHT, ONE, SIZE * TWO, TWO * THREE),
 )
 
-# Accuracy, in eps: a rounding of g moves the tilt by itself over the root, and so do those of the
-# terms under the root, of which none is larger than g allows.
+# Accuracy, in eps: a rounding of g moves the tilt by its own size over the root, and so do those of
+# the terms under the root, none of which is larger than g permits.
 MODERATE = (
     *(is_moderate(size) for size in (radius_vector, thickness)),
     is_zero_or_moderate(eccentricity),
@@ -82,7 +83,7 @@ def tilt_for(
     on: Part,
     charts: tuple[Chart, ...],
 ) -> Quantity:
-    """Make the quantity of the tilt with which the largest error is the one given."""
+    """Return the quantity of the tilt at which the largest error is the given one."""
     excess, below = tangent.as_numer_denom()
     tilt = 2 * sp.atan2(excess, below)
     return Quantity(

@@ -1,4 +1,4 @@
-"""What can be computed of poses: the turn, the position errors and their first-order model."""
+"""Quantities of poses: the turn, the position errors and their first-order model."""
 
 import itertools
 
@@ -26,21 +26,21 @@ PLANAR = sp.sqrt(error_x**2 + error_y**2)
 SPATIAL = sp.sqrt(error_x**2 + error_y**2 + error_z**2)
 
 # First order in the angles. Along the line s*(alpha, beta, gamma) the model is the value at s = 0
-# and the slope there. With A' = alpha*G_x*A and so on, where G_x*p = p x e_x, the product rule
-# gives the second derivative of K = C*B*A. Every G has the spectral norm 1 and A, B, C change no
-# length: its norm is at most (|alpha| + |beta| + |gamma|)**2, and Taylor's formula bounds what is
-# left out at p by |p|*(|alpha| + |beta| + |gamma|)**2/2.
+# plus the slope there. With A' = alpha*G_x*A and so on, where G_x*p = p x e_x, the product rule
+# gives the second derivative of K = C*B*A. Every G has the spectral norm 1, and A, B, C change no
+# length: its norm is at most (|alpha| + |beta| + |gamma|)**2, and Taylor's formula bounds the
+# omitted part at p by |p|*(|alpha| + |beta| + |gamma|)**2/2.
 GENERATORS = tuple(-cross_product_matrix(axis) for axis in UNIT_VECTORS)
 ALONG_LINE = {angle: parameter * angle for angle in ANGLES}
 
 
 def slow_down(expression: sp.Basic) -> sp.Basic:
-    """Go along the line: s times the angles."""
+    """Return an expression along the line: with s times the angles."""
     return expression.subs(ALONG_LINE, simultaneous=True)
 
 
 def second_derivative() -> sp.Matrix:
-    """Apply the product rule twice to C*B*A along the line."""
+    """Return the second derivative of C*B*A along the line by the product rule."""
     weights = (angle * g for angle, g in zip(ANGLES, GENERATORS, strict=True))
     u, v, w = weights
     a, b, c = (slow_down(factor) for factor in FACTORS.values())
@@ -49,7 +49,7 @@ def second_derivative() -> sp.Matrix:
 
 
 def by_taylor(code: EmittedForm) -> Statement:
-    """State that a form is the first-order model, and all that bounds what it leaves out."""
+    """State that a form is the first-order model, and all that bounds the part it omits."""
     whole = slow_down(DISPLACEMENT)
     slope = whole.diff(parameter).subs(parameter, 0)
     factors = tuple(zip(FACTORS.values(), ANGLES, GENERATORS, strict=True))
@@ -75,9 +75,9 @@ DISTANCE, POINT_SIZE, SHIFT_SIZE = sp.symbols("|K-I| |p| |t|", nonnegative=True)
 # (3 * 1 + 2/2) + (2 * 1 + 1/2) + 1/2.
 ROTATION_ULP = 7
 # displacement: v is a sum without cancellation wherever K is near I, so every entry of K - I is
-# good relative to the norm, which is twice the sine of half the angle of the turn. Some 40
-# roundings in one direction would make 17 eps; the bound is 3e-15. What is proved for angles up to
-# a quarter of a turn, and the worst that is met there, stand in the certificates.
+# accurate relative to the norm, which is twice the sine of half the angle of the turn. Some 40
+# roundings in one direction would make 17 eps; the bound is 3e-15. The bound proved for angles up
+# to a quarter of a turn, and the worst error found there, are in the certificates.
 DISPLACEMENT_ULP = 13.5
 ENTRIES = Scale("the largest size of an entry", sp.Integer(1))
 SIZES = Scale(
@@ -91,7 +91,7 @@ SIZES = Scale(
     ),
 )
 
-# To turn about two axes the other way is to look from the other side of the third one.
+# Turning about two axes the other way means looking from the other side of the third one.
 OTHER_SIDES = tuple(itertools.combinations(ANGLES, 2))
 EITHER_WAY = tuple((error,) for error in POSITION_ERROR)
 

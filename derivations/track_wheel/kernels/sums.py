@@ -1,4 +1,4 @@
-"""What can be computed of sums of elementary errors of paper 5."""
+"""Quantities of paper 5 for sums of elementary errors."""
 
 import sympy as sp
 
@@ -33,12 +33,12 @@ SOLVABLE = Part(
 
 
 def compare_squares(code: EmittedForm) -> Statement:
-    """State that a form is the double sum, by their squares; neither root is negative."""
+    """State that a form is the root of the double sum, by the squares; neither root is negative."""
     return Equality(code.output() ** 2, CORRELATED**2)
 
 
-# Accuracy, in eps, 1/2 for an operation. No square and no product of three squares leaves the
-# doubles where the factors lie in MODERATE.
+# Accuracy, in eps, 1/2 for an operation. No square and no product of three squares leaves the range
+# of doubles if the factors are within MODERATE.
 MODERATE = (
     is_zero_or_moderate(tolerances[i]),
     is_zero_or_moderate(influences[i]),
@@ -54,7 +54,7 @@ BEYOND_SQUARES = (
 SUM_ULP = 7
 UP_TO_128 = "the accuracy is that of sums of at most 128 errors"
 # correlated: 6 roundings of a term and, in whatever order, n - 1 of each of two sums of n <= 11,
-# 13; the root halves it, root and quotient 1 more; the scale has the terms' sizes.
+# 13; the root halves it, root and quotient 1 more; the scale has the sizes of the terms.
 CORRELATED_ULP = 8
 UP_TO_11 = "the accuracy is that of sums of at most 11 errors"
 VALUE = sp.Symbol("value", nonnegative=True)
@@ -63,8 +63,8 @@ TERMS = Scale(
     VALUE + sp.Sum(sp.Abs(PAIR), (j, 1, n), (i, 1, n)) / (scatter**2 * VALUE),
     where=((VALUE, CORRELATED),),
 )
-# thermal: as independent, and the root of the product of K - K_T*share and K + K_T*share, on
-# the condition number of the difference.
+# thermal: as independent, and the root of the product of K - K_T*share and K + K_T*share, times the
+# condition number of the difference.
 THERMAL_ULP = 9
 CONDITIONED = Scale(
     "the value times the condition of its denominator",

@@ -1,4 +1,4 @@
-"""What can be computed of the track of paper 5: its radius, its points."""
+"""Quantities of the track of paper 5: its radius, its points."""
 
 import sympy as sp
 
@@ -9,7 +9,8 @@ from .charts import BY_RADII, IN_FIRST_PART, OFF_POLE
 from .poses import SOURCE, turns
 
 RADIUS = printed_radius(THETA)
-# Seen from the pole the points of the circle lie between these, whatever the sign of A.
+# Seen from the pole, the distances of the circle's points are between these, whatever the sign of
+# A.
 LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
 # Both are even in A.
 EVEN = ((amplitude,),)
@@ -19,7 +20,7 @@ root, rho = sp.symbols("root rho", real=True)
 
 # Accuracy, in eps: 1/2 for an arithmetic operation, 1 for sin, cos and hypot.
 # radius: u 1.5, w 1.5, its root 1.25, q 3.25 relative, w/q 5.25; the rounding of z*phi 1/2, which
-# the second term of the scale pays for.
+# the second term of the scale covers.
 RADIUS_ULP = 6
 # track: the radius, a sine and a product.
 TRACK_ULP = RADIUS_ULP + 1.5
@@ -50,7 +51,7 @@ CIRCLE = (
 )
 HEIGHT = Argument("H", (thickness,), "thickness of the part", "mm", usual=(1, 100))
 # Between these sizes (R - A)*(R + A) is a normal double, down to R - A = eps*R. The scale is of
-# first order in eps*z*phi: up to here its square is no more than eps.
+# first order in eps*z*phi: up to here its square is at most eps.
 IN_RANGE = (radius >= sp.Rational(1, 10**140), radius <= 10**150, sp.Abs(THETA) <= 2**26)
 LOADS = (("N angles, one wheel", ("phi",)),)
 TRACK_SOURCE = f"{SOURCE}, equation (16)"

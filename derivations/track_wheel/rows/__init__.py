@@ -1,4 +1,4 @@
-"""What paper 5 states, and what of ours stands beside it."""
+"""The rows of paper 5: what it states, and our own results."""
 
 from . import curves, design, equations, table
 

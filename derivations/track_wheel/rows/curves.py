@@ -1,4 +1,4 @@
-"""Part three: what is printed of the track, (16)-(18), of figures, of cutting and its results."""
+"""Part three: prints on the track, (16)-(18), on figures, on cutting and its results."""
 
 import sympy as sp
 
@@ -94,11 +94,11 @@ def deformation_range(relative_change: sp.Expr) -> sp.Expr:
 
 
 def cutting_force(feed: sp.Expr) -> sp.Expr:
-    """Cutting force by a power law of depth and feed, all by their values at the least depth."""
+    """Cutting force by a power law of depth and feed, relative to its value at the least depth."""
     return depth**depth_exponent * feed**feed_exponent
 
 
-# A feed that goes down as the depth goes up.
+# A feed that decreases as the depth increases.
 LESS_FEED = depth ** (-depth_exponent / feed_exponent)
 
 

@@ -1,8 +1,8 @@
 """How far the blank may be tilted and offset: the largest errors of the track, and their inverses.
 
-The track is alike seen from all its crests, so that a tilt about any horizontal axis may be one
-about X_0. Then y_13 is the distance of a point from the vertical plane of the axis, on the side
-that rises; the worst offset e is the other way, and the largest y_13 is the radius rho of a crest.
+The track looks the same from all its crests, so that a tilt about any horizontal axis may be one
+about X_0. Then y_13 is the distance of a point from the vertical plane of the axis, on the rising
+side; the worst offset e is the other way, and the largest y_13 is the radius rho of a crest.
 """
 
 import sympy as sp
@@ -37,7 +37,7 @@ OVER_PLANE = planar_error - eccentricity
 OVER_SPACE = (spatial_error - eccentricity) * (spatial_error + eccentricity)
 REACH = radius_vector**2 + thickness**2 + eccentricity * radius_vector
 SPATIAL_HALF = 2 * eccentricity * thickness
-# Of the equation q t**2 + 2 b t = g for t = tan(alpha/2), sqrt(b**2 + q g).
+# For the equation q t**2 + 2 b t = g in t = tan(alpha/2), sqrt(b**2 + q g).
 PLANAR_SQUARE = thickness**2 + 2 * radius_vector * OVER_PLANE - OVER_PLANE**2
 SPATIAL_SQUARE = SPATIAL_HALF**2 + OVER_SPACE * (4 * REACH - OVER_SPACE)
 PLANAR_ROOT = OVER_PLANE / (thickness + sp.sqrt(PLANAR_SQUARE))

@@ -1,4 +1,4 @@
-"""What is printed of errors of machining, (1)-(7), and of the frame of the part, (8)-(15)."""
+"""Prints on errors of machining, (1)-(7), and on the frame of the part, (8)-(15)."""
 
 import sympy as sp
 
@@ -129,7 +129,7 @@ ERROR_ROWS = (
 
 
 def coordinate_row(number: str, row: int) -> Equation:
-    """One of (9)-(11): the vector from O_1 to N along one turned axis."""
+    """Return one of (9)-(11): the vector from O_1 to N along one turned axis."""
     return PRINT.equation(
         number,
         derived={PART_POINT[row]: compose(UNIT_VECTORS, ELEMENTS[row, :]).dot(FROM_ORIGIN)},

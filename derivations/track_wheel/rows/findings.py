@@ -13,7 +13,7 @@ SYSTEMATIC_TOTAL = sp.sqrt(table.SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)
 TURN, FARTHEST_APART = PRINTED_VALUES[beta], 2 * table.FARTHEST
 LIKE_TABLE_1 = {symbol: PRINTED_VALUES[symbol] for symbol in (radius, amplitude, *ANGLES)}
 
-# What (7) calls the errors of (6).
+# The names that (7) gives to the errors of (6).
 RENAMED = {
     **{error: AT_TIME[error] for error in ERROR_FIELDS},
     mountings: mountings_t,
@@ -27,7 +27,7 @@ def along_y(matrix: sp.Matrix) -> sp.Expr:
 
 
 def total_of_five(factor_of_mounting: sp.Expr) -> sp.Expr:
-    """Root of the five squares, the mounting error by a sensitivity of its own."""
+    """Root of the sum of the five squares, with a sensitivity of the mounting error."""
     more = (factor_of_mounting**2 - 1) * PRINTED_VALUES[mounting] ** 2
     return sp.sqrt(table.SUM_OF_PRINTED_SQUARES + more)
 

@@ -8,7 +8,7 @@ from mechproof.record.parts import differentiate
 from ..mechanics import *
 
 MM, RAD = r"~\mathrm{mm}", r"~\mathrm{rad}"
-# What is said of a size, its symbol, and how the number that is printed stands between the rest.
+# The words for a size, its symbol, the print before its number, the number, and the print after it.
 TABLE = (
     ("form error", form, r"\Delta_\phi=", "0.016", MM),
     ("mounting error", mounting, r"\Delta_y=", "0.05", MM),
@@ -45,13 +45,13 @@ def total_by_corrected_sum(coefficient: sp.Expr) -> sp.Expr:
 def total_by_printed_sum(
     unit_of_length: sp.Expr, sum_of_squares: sp.Expr = SUM_OF_PRINTED_SQUARES
 ) -> sp.Expr:
-    """Solve (6) as printed, all coefficients 1: Delta_T unsquared, so the unit enters."""
+    """Solve (6) as printed, all coefficients 1: Delta_T is not squared, so the unit matters."""
     linear = THERMAL_SHARE * unit_of_length
     return (linear + sp.sqrt(linear**2 + 4 * sum_of_squares)) / 2
 
 
 def total_rounds_to(number: str, coefficient: sp.Expr) -> PrintedNumber:
-    """State the total of Table 1, all K_i equal."""
+    """State the total of Table 1, with all K_i equal."""
     return PrintedNumber(number, total_by_corrected_sum(coefficient).subs(PRINTED_VALUES))
 
 
@@ -143,9 +143,9 @@ HALF = sp.Rational(1, 2)
 def gain(
     error: sp.Symbol, left: sp.Expr = sp.S.Zero, own: sp.Expr = sp.S.One, others: sp.Expr = sp.S.One
 ) -> sp.Expr:
-    """Fall of the total, in %, when this part of an error is left; K squared of it and the rest.
+    """Fall of the total, in %, if this share of an error is left; K squared of it and the rest.
 
-    It is the same for a temperature error of either kind that stays the same share of the total.
+    It is the same for a temperature error of either kind that remains the same share of the total.
     """
     rest = others * (SUM_OF_PRINTED_SQUARES - SQUARES[error])
     before, after = (rest + own * part**2 * SQUARES[error] for part in (sp.S.One, left))
@@ -167,7 +167,7 @@ def share_of(error: sp.Symbol) -> sp.Expr:
 
 
 def radius_of_curvature(count: int, phase: sp.Expr) -> sp.Expr:
-    """Radius of curvature, in mm, of the track with so many periods, as a size."""
+    """Radius of curvature, in mm, of the track with `count` periods, taken positive."""
     x, y = (c.subs({**PRINTED_VALUES, periods: count}) for c in PRINTED_16[:2])
     first = [differentiate(c, phi) for c in (x, y)]
     second = [differentiate(c, phi) for c in first]

@@ -1,4 +1,4 @@
-"""What can be computed of paper 4."""
+"""The quantities of paper 4."""
 
 from . import chain, inputs, motion, proofs, stages
 

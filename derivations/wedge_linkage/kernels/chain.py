@@ -1,9 +1,9 @@
-"""The chain of paper 4: by its printed equations, with its derivatives from the stages' slopes.
+"""The chain of paper 4: by its printed equations, with derivatives from the slopes of the stages.
 
 The kernels compute it by the half-angle forms: x5 by x1 and the sum of both lengths of BC, x5' by
-Max, y9 by x5' and the sum of both heights of K over L. No cancellation at x1 = 0, at the start of
-contact or at R = 0, and no sine or cosine but those of the sizes. What the sizes alone decide is a
-step of its own, computed once for all x1.
+Max, y9 by x5' and the sum of both heights of K over L. Nothing cancels at x1 = 0, at the start of
+contact or at R = 0, and there are no sines or cosines except those of the sizes. Whatever depends
+on the sizes alone is a step of its own, computed once for all x1.
 """
 
 from functools import cache
@@ -35,7 +35,7 @@ class Chain(NamedTuple):
 
 
 def name_chain(ending: str = "") -> Chain:
-    """Make the symbols of a chain."""
+    """Return the symbols of a chain."""
     names = ("turn_3", "travel_5", "driven_5", "KL_x", "turn_7", "engaged")
     return Chain(*(sp.Symbol(name + ending, real=True) for name in names))
 
@@ -43,7 +43,7 @@ def name_chain(ending: str = "") -> Chain:
 def link(
     chain: Chain, turned: sp.Expr, pushed: sp.Expr, direction: sp.Expr
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Define the steps of a chain: `pushed` is written in x5, `direction` in R."""
+    """Return the steps of a chain: `pushed` is written in x5, `direction` in R."""
     return {
         chain.lever: turned,
         chain.travel: print_3.subs(phi3, chain.lever),
@@ -54,7 +54,7 @@ def link(
     }
 
 
-# Equations (4), (7) and (8) as they are meant and as they are printed: R = 0 is in neither case.
+# Equations (4), (7) and (8) as meant and as printed: R = 0 is in neither of the printed cases.
 PUSHED = Max(0, x5 - l_GH)
 DIRECTION = sp.atan2(sqrt(l_KL**2 - R**2), R) - alpha_KL
 DIRECTION_IN_PRINT = Piecewise((print_7, R > 0), (print_8, R < 0), (sp.nan, True))
@@ -71,13 +71,13 @@ LINKS = {
 
 
 def in_chain(expression: sp.Basic, chain: Chain, other: Chain = MEANT) -> sp.Basic:
-    """Write an expression of another chain with the steps of this one."""
+    """Return an expression of another chain, written with the steps of this one."""
     return expression.xreplace(dict(zip(other, chain, strict=True)))
 
 
 @cache
 def step_slopes(size: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
-    """Return the derivatives of the steps of the chain in contact: the proved stage slopes."""
+    """Return the derivatives of the chain's steps in contact: the proved slopes of the stages."""
     by_size = {phi3: MEANT.lever, phi7: MEANT.roller, reach: extended}
     turned = lever_slopes.get(size, sp.S.Zero).subs(by_size)
     moved = (differentiate(print_3, size) + differentiate(print_3, phi3) * turned).subs(by_size)
@@ -128,7 +128,7 @@ STEPS = {
     rise: sqrt((to_right + push) * (to_left - push)),
     rise_sum: start_height + rise,
     roller_square: rise_sum**2 + push**2,
-    # guide_sum**2 - x1**2 without the difference of near values far to the left.
+    # guide_sum**2 - x1**2 without the difference of nearly equal values far to the left.
     cos_lever: 2 * (l_BC * guide_sum + arm * x1) / lever_square,
     sin_arm: cos_lever * sin_DE - 2 * guide_sum * x1 * cos_DE / lever_square,
     cos_wedge: ((rise_sum - push) * (rise_sum + push) * cos_LM - 2 * rise_sum * push * sin_LM)
@@ -141,7 +141,7 @@ LENGTHS = {
     *(arm, guide_length, guide_sum, run, push, rise, rise_sum, start_height, to_right, to_left),
 }
 SQUARES = {lever_square, roller_square}
-# The letters of the paper for the steps that it has.
+# The letters of the paper for those steps that it has.
 LETTERS = {
     extended: r"\overline{BC}",
     **dict(zip(MEANT, (r"\varphi_3", "x_5", "x_{5'}", "R", r"\varphi_7"), strict=False)),

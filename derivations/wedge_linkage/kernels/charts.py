@@ -1,4 +1,4 @@
-"""Coordinates over which the rounding errors of the stages of paper 4 are bounded."""
+"""Coordinates in which the rounding errors of the stages of paper 4 are bounded."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from mechproof.record import Chart, Toleranced
 from ..mechanics import *
 from ..rows.sizes import FIRST_SET
 
-# All lengths are shares of one that is the largest.
+# All lengths are shares of the largest one.
 LARGEST, PART = Symbol("R", positive=True), Symbol("l_AB/arm", positive=True)
 SHARES = tuple(Symbol(f"share_{letter}", positive=True) for letter in "abc")
 LENGTHS, SHARE = Interval(0, oo), Interval(0, 1)
@@ -19,7 +19,7 @@ X, Y, Z, W = (Symbol(letter, positive=True) for letter in "xyzw")
 def by_largest(
     displacement: Symbol, sizes: tuple[Symbol, ...], text: str, angles: dict[Symbol, Interval]
 ) -> Iterator[Chart]:
-    """Make the charts of a displacement of any sign and sizes, by which of them is the largest."""
+    """Yield the charts of a displacement of either sign and sizes, by which is the largest."""
     lengths = (displacement, *sizes)
     for largest in lengths:
         others = [length for length in lengths if length is not largest]
@@ -42,13 +42,13 @@ QUARTER = Interval(0, Rational(1, 4))
 
 
 def guide_chart(x: Expr, length: Expr, arm: Expr, within: dict[Symbol, Interval]) -> Chart:
-    """Make the chart of the pusher's way, of the guide's length and of the arm."""
+    """Return the chart of the pusher's displacement, of the guide's length and of the arm."""
     arguments = {x1: LARGEST * x, l_BC: LARGEST * length, l_AB: LARGEST * arm * PART}
     arguments[l_CD] = LARGEST * arm * (1 - PART)
     return Chart(CLOSING, arguments, {LARGEST: LENGTHS, PART: SHARE, **within})
 
 
-# The arm, the guide or the way is the largest; beside a long arm both may be small.
+# The arm, the guide or the displacement is the largest; next to a long arm both may be small.
 LEVER = (
     guide_chart(Y**2 * W, Y, 1, {Y: SHARE, W: SHARE}),
     guide_chart(Z**2, Z * W, 1, {Z: SHARE, W: SHARE}),
@@ -58,7 +58,7 @@ LEVER = (
     guide_chart(-X, 1, Y, {X: QUARTER, Y: SHARE}),
 )
 
-# Farther on the height of the roller cancels, and its error has no bound, as the guide's.
+# Farther out, the height of the roller cancels, and its error has no bound, like the guide's.
 LIFTED = "-alpha_KL**2*l_KL/10 <= x5 <= l_KL/4 and alpha_KL <= 2"
 LIFTED_FAR = "l_KL/4 <= x5 <= l_KL and alpha_KL <= 5/4"
 RAISED = Interval(-Rational(1, 10), Rational(1, 8))
@@ -80,7 +80,7 @@ ROLLER = tuple(
 def arm(
     turned: Symbol, direction: Symbol, length: Symbol, least: Expr, text: str
 ) -> tuple[Chart, ...]:
-    """Make the charts of an arm that turns by half a turn at most, to either side."""
+    """Return the charts of an arm that turns by at most half a turn, to either side."""
     within = {
         X: Interval(0, Rational(22, 7)),
         direction: Interval(least, Rational(44, 7)),
@@ -92,12 +92,12 @@ def arm(
     )
 
 
-# At a direction of 0 a turn and the direction vanish together, and with them the value and all
-# that the rounding of their sum is compared with.
+# At a direction of 0, the turn and the direction vanish together, and with them the value and
+# everything to which the rounding of their sum is compared.
 ROD = arm(phi3, alpha_DE, l_DE, Rational(1, 8), "|phi3| <= 22/7 and 1/8 <= alpha_DE <= 44/7")
 WEDGE = arm(phi7, alpha_LM, l_LM, 0, "|phi7| <= 22/7 and 0 <= alpha_LM <= 44/7")
 
-# A size without deviations gets these, as a share of itself, so that it is no single double.
+# A size without deviations gets these, as a share of itself, so that it is not a single double.
 LEAST_DEVIATION = Rational(1, 1000)
 
 
@@ -111,12 +111,12 @@ def tolerate(size: Toleranced) -> Interval:
 
 
 def tell_place(place: Expr) -> str:
-    """Write a place of the pusher with its unit."""
+    """Write a displacement of the pusher with its unit."""
     return f"{place} mm" if place else "0"
 
 
 def whole_chain(*ways: tuple[Expr, Expr]) -> tuple[Chart, ...]:
-    """Make the charts of ways of the pusher, in mm, and of all sizes within their limits."""
+    """Return the charts of ranges of the pusher, in mm, and of all sizes within their limits."""
     sizes = {size: tolerate(value) for size, value in FIRST_SET.sizes.items()}
     places = " or ".join(f"{tell_place(first)} <= x1 <= {tell_place(last)}" for first, last in ways)
     least = f"at least {float(100 * LEAST_DEVIATION):g} %"
@@ -128,5 +128,5 @@ def whole_chain(*ways: tuple[Expr, Expr]) -> tuple[Chart, ...]:
 
 
 CHAIN = whole_chain((Integer(-37), Integer(0)))
-# Between, contact starts, for these sizes or those, and the velocity jumps.
+# Between these, contact starts for some of the sizes, and the velocity jumps.
 VELOCITY = whole_chain((Integer(-37), Integer(-2)), (-Rational(3, 4), Integer(0)))

@@ -31,7 +31,7 @@ ARGUMENT = {
 
 
 def arguments(*symbols: sp.Symbol) -> tuple[Argument, ...]:
-    """List the arguments of a kernel, the running variable first."""
+    """Return the arguments of a kernel, the running variable first."""
     return tuple(ARGUMENT[symbol] for symbol in symbols)
 
 
@@ -43,14 +43,14 @@ PIVOT = Singular(Eq(x1, -(l_AB + l_CD)))
 # Accuracy --------------------------------------------------------------------------------------
 
 # In eps, 1/2 for an operation, 1 for a sine or cosine, 4 for atan (what NumPy's vector loops are
-# allowed). An error of a term of a sum is one of the inputs in that term, which the scale has; a
-# common factor of the lengths takes what a sum itself rounds.
+# allowed). An error of a term of a sum equals one of the inputs of that term, which is in the
+# scale; a common factor of the lengths absorbs the rounding of a sum itself.
 
 CONDITION = "|value| + sum of |p * d value/d p| over the arguments p"
 
 
 def condition(value: sp.Expr, inputs: Iterable[sp.Symbol], *, tidy: bool = True) -> sp.Expr:
-    """Return the value's size and what the rounding of every input makes of it, in contact."""
+    """Return the value's size plus the effect of the rounding of every input on it, in contact."""
     parts = (value, *(s * chain_slope(value, s) for s in inputs))
     return sp.Add(*(Abs(part, evaluate=tidy) for part in parts))
 
@@ -62,10 +62,10 @@ def conditioned(
     return Accuracy(ulp, Scale(CONDITION, condition(value, inputs)), within)
 
 
-# At the clearance's edge a derivative jumps; where the guide or the roller lever can just follow
-# it has a pole, and beyond there is NaN. On which side the inputs are is known from EDGE_ULP eps
-# on: the run of the rod, both squares and l_KL + KL_x are computed with less than a third of that,
-# of which a pole like 1/sqrt makes no more than 1.4 times the first order.
+# At the clearance's edge a derivative jumps; where the guide or the roller lever can just follow,
+# it has a pole, and beyond there is NaN. On which side the inputs are is certain from EDGE_ULP eps
+# onwards: the run of the rod, both squares and l_KL + KL_x are computed with less than a third of
+# that, and a pole like 1/sqrt makes no more than 1.4 times the first order of it.
 EDGE_ULP = 16
 OF_RUN = (x1, l_AB, l_BC, l_CD, l_DE, alpha_DE)
 EDGES = {
@@ -86,7 +86,7 @@ VARIABLES = tuple(
 
 
 def beside(gap: sp.Expr, name: str) -> sp.Basic:
-    """State that a gap from an edge is wider than what the kernels make of the inputs."""
+    """State that a gap from an edge is wider than the error that the kernels make of the inputs."""
     return gap > EDGE_ULP * EPS * SIDES[name]
 
 

@@ -1,4 +1,4 @@
-"""What can be computed of paper 4: the chain, its derivatives; every form of them."""
+"""Quantities of paper 4: the chain and its derivatives; every form of them."""
 
 import sympy as sp
 from sympy import Abs, Eq, Le, sqrt
@@ -36,7 +36,7 @@ ALONG_CHAIN = (
 POSITION_ALONG_CHAIN = (inputs.AT_REST, Singular(Eq(chain.MEANT.travel, l_GH)), *ALONG_CHAIN[2:])
 
 
-# A clearance is squared nowhere.
+# A clearance is never squared.
 LINKED = (
     *inputs.moderate(x1, *(size for size in chain.SIZES if size not in (*inputs.ANGLES, l_GH))),
     Le(l_GH, LARGEST),
@@ -52,9 +52,9 @@ ALL_EDGES = f"{inputs.CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"
 def conditioned_in_contact(
     ulp: float, value: sp.Basic, within: tuple[sp.Basic, ...] = ()
 ) -> Accuracy:
-    """Bound the error by the conditioning in contact of a value of the chain, or a norm."""
+    """Bound the error by the conditioning in contact of a value of the chain, or by its norm."""
     in_contact = sp.Matrix([value]).subs(chain.MEANT.engaged, 1)
-    # No one reads these long sums, and SymPy would take a second to tidy them.
+    # Nobody reads these long sums, and SymPy would take a second to tidy them.
     parts = [inputs.condition(part, (x1, *chain.SIZES), tidy=False) for part in in_contact]
     size = parts[0] if len(parts) == 1 else sqrt(sp.Add(*(part**2 for part in parts)))
     norm = "" if len(parts) == 1 else "norm over the entries (each keeps its own) of "
@@ -64,7 +64,8 @@ def conditioned_in_contact(
 
 # position: guide 3.5; run 5; push 1/2; rise and its sum 6.5, the share of alpha_KL 0.8 more; the
 # last quotient 5: 22 if every step counted in full. Each has only its own share of the scale, and
-# searches find less than 1 here; 8 leaves room for a sine that is 4 off. The same for derivatives.
+# searches find less than 1 here; 8 leaves room for a sine that is 4 off. The same holds for
+# derivatives.
 CHAIN_ULP = 8
 CHAIN_LOADS = (
     ("N inputs, one linkage", ("x1",)),

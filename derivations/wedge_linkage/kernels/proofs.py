@@ -1,7 +1,7 @@
-"""How the forms of paper 4 are proved from the source that was emitted.
+"""How the forms of paper 4 are proved from their emitted source.
 
-Up to the rod the chain is a function of x1, from the link 5' on one of its displacement, called x5
-here.
+Up to the rod, the chain is a function of x1; from the link 5' onwards, it is a function of that
+link's displacement, here called x5.
 """
 
 from collections.abc import Callable
@@ -31,7 +31,7 @@ from .chain import (
 )
 
 wedge_slope = sp.Symbol("dy9/dx5", real=True)
-# The angles of a chain in contact, each by itself.
+# The angles of a chain in contact, each as a variable of its own.
 ANGLES = {MEANT.lever: phi3, MEANT.roller: phi7, MEANT.engaged: sp.S.One, extended: reach}
 # cos(turn_3) by its half-angle, in x1 and the present length of BC.
 COS_LEVER = ((l_BC + reach) ** 2 - x1**2) / ((l_BC + reach) ** 2 + x1**2)
@@ -52,7 +52,7 @@ NOT_UPRIGHT = Part(
 
 
 def same_lever(code: EmittedForm) -> Statement:
-    """State that the form is the direction of the solved projections."""
+    """State that the form is the direction that solves the projections."""
     return Equality(code.output(), lever_angle)
 
 
@@ -62,14 +62,14 @@ def by_pushing(code: EmittedForm) -> Statement:
 
 
 def list_cases(value: sp.Basic, condition: sp.Basic = sp.true) -> list[tuple[sp.Expr, sp.Basic]]:
-    """List the cases of nested choices in the order in which they are tried."""
+    """Return the cases of nested choices in the order in which they are tried."""
     if not isinstance(value, sp.Piecewise):
         return [(value, condition)]
     return [case for piece in value.args for case in list_cases(*piece)]
 
 
 def by_quadrants(angle: sp.Basic) -> tuple[Statement, ...]:
-    """State the two cases of an angle in R, and that each is taken where it holds."""
+    """State the two cases of an angle in R, and that each is chosen where it holds."""
     (first, in_first), (second, in_second), *_ = list_cases(angle)
     right, left = {R: l_KL * cosine_of_tau}, {R: l_KL * cosine_of_sigma}
     return (
@@ -83,7 +83,8 @@ def by_quadrants(angle: sp.Basic) -> tuple[Statement, ...]:
 def upwards(angle: sp.Basic) -> tuple[Statement, ...]:
     """State that an angle in R and the one that is meant are both the direction 2 arctan(tau).
 
-    The latter by cosine and sine: with a sine that is not negative it is in [0, pi], as that is.
+    The latter is stated by cosine and sine: with a nonnegative sine it is in [0, pi], like 2
+    arctan(tau).
     """
     placed, meant = (form.subs(R, l_KL * cosine_of_tau) for form in (angle, DIRECTION + alpha_KL))
     given = {alpha_KL: 2 * sp.atan(kappa)}
@@ -104,7 +105,7 @@ InR = Callable[[sp.Basic], tuple[Statement, ...]]
 
 
 def from_projection(direction: InR) -> Callable[[EmittedForm], Statement]:
-    """Make the statement of a form of the roller lever's angle, written in R."""
+    """Return the statement of a form of the roller lever's angle, written in R."""
 
     def states(code: EmittedForm) -> Statement:
         return all_of(*direction(code.output().subs(x5, l_KL * cos(alpha_KL) - R)))
@@ -118,7 +119,7 @@ def from_projection(direction: InR) -> Callable[[EmittedForm], Statement]:
 def by_stages(
     chain: Chain, direction: InR, definition: sp.Basic
 ) -> Callable[[EmittedForm], Statement]:
-    """Make the statement of a chain, stage by stage; slopes of the stages are in contact."""
+    """Return the statement of a chain, stage by stage; slopes of the stages are in contact."""
 
     def states(code: EmittedForm) -> Statement:
         def stage(step: sp.Symbol, before: sp.Symbol, called: sp.Symbol) -> sp.Expr:
@@ -148,7 +149,7 @@ def by_stages(
 
 
 def of_rod(expression: sp.Basic) -> sp.Basic:
-    """Write an expression of the chain in x1 and the present length of BC, called reach."""
+    """Return an expression of the chain in x1 and the present length of BC, called reach."""
     return expression.xreplace(LINKS | {extended: reach}).xreplace({LINKS[extended]: reach})
 
 
@@ -163,20 +164,20 @@ def up_to_push(code: EmittedForm) -> tuple[Statement, ...]:
 
 
 def of_link(definition: sp.Basic) -> sp.Basic:
-    """Write a definition in contact, from the link 5' on, in its displacement."""
+    """Return a definition in contact, from the link 5' onwards, in its displacement."""
     by_displacement = {MEANT.engaged: sp.S.One, MEANT.roller: ROLLER}
     return of_rod(definition.xreplace(by_displacement))
 
 
 def position_in_contact(code: EmittedForm) -> Statement:
-    """State the position; no push, no displacement."""
+    """State the position; without a push there is no displacement."""
     return all_of(*up_to_push(code), Equality(code.output(push).subs(push, x5), of_link(POSITION)))
 
 
 def slopes_in_contact(definition: sp.Basic) -> Callable[[EmittedForm], Statement]:
-    """Make the statement of derivatives: those in contact from its start on, zero before.
+    """Return the statement of derivatives: those in contact from its start onwards, zero before.
 
-    The slope of y9 by x5' is proved apart and stands as a symbol in all that have it as a factor.
+    The slope of y9 by x5' is proved separately and is a symbol in all derivatives with that factor.
     """
 
     def states(code: EmittedForm) -> Statement:

@@ -1,4 +1,4 @@
-"""What can be computed of paper 4 stage by stage; every form of it."""
+"""Quantities of paper 4 stage by stage; every form of them."""
 
 import sympy as sp
 from sympy import Abs, And, Eq, Ge, Le, Max, Or, Piecewise, Rational, cos, pi, sin, sqrt
@@ -30,27 +30,28 @@ HEIGHT_EDGE = (
 
 
 def singular_arm(turned: sp.Symbol, direction: sp.Symbol) -> tuple[Singular, ...]:
-    """List where an arm has not turned, and where its end is back or farthest from its start."""
+    """Return where an arm has not turned, and where its end is back or farthest from its start."""
     return (Singular(Eq(turned, 0)), Singular(Eq(direction + turned / 2, pi / 2 * inputs.turns)))
 
 
 # Accuracy, in eps.
 # guide_radicand: 2.5 for x1 times the sum, 1/2 for the square and 1/2 for the last sum. The scale
-# has every term of the sum at least once besides the value.
+# contains every term of the sum at least once, besides the value.
 RADICAND_ULP = 2.5
 # roller_offset: cosine and product of the first term 1.5, the difference 1/2.
 OFFSET_ULP = 1.5
 # lever_angle: seven operations under and after the root, atan.
 LEVER_ULP = 8
 # rod_displacement, wedge_displacement: two sines, the sum of their angle, two products. Beyond half
-# a turn a sine may be near zero at a sum that is not, whose rounding no argument answers for.
+# a turn a sine may be near zero at a sum that is not, whose rounding no argument accounts for.
 PRODUCT_ULP = 4
 
 
 def within_half_a_turn(angle: sp.Symbol, arm: sp.Symbol) -> tuple[sp.Basic, ...]:
-    """Return where the bound of an arm times two sines is stated: none of it is subnormal there.
+    """Return the domain in which the bound of an arm times two sines is stated.
 
-    A sum of two doubles of which one is above 1e-140 is 0 or above 1e-156.
+    Nothing in it is subnormal: a sum of two doubles, one of them above 1e-140, is 0 or above
+    1e-156.
     """
     turned = Or(Eq(angle, 0), Ge(Abs(angle), Rational(1, 10**140)))
     arms = And(arm >= Rational(1, 10**10), arm <= 10**300)

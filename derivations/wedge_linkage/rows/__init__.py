@@ -1,4 +1,4 @@
-"""What paper 4 states, and what of ours stands beside it."""
+"""The rows of paper 4: what it states, and our own results."""
 
 from . import boundaries, sizes, tolerances, transfer
 

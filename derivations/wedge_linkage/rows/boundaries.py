@@ -1,4 +1,4 @@
-"""Boundary curves of the range of paper 4, by the printed chain, and which tolerances make them."""
+"""Boundary curves of the range of paper 4 by the printed chain, and their tolerances."""
 
 from collections.abc import Callable, Mapping
 from functools import cache, partial
@@ -15,10 +15,10 @@ from .sizes import SETS, Signs, limits
 
 Displacement: TypeAlias = "sp.Rational | int | str"
 
-# Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
+# Printed in the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
 START, CROSSING, DEVIATION = Rational(-40), Rational("-29.4"), "10"
 
-# "+" is the upper limit, "-" the lower; what is not named is at its nominal value.
+# 1 is the upper limit, -1 the lower; sizes that are not named have their nominal values.
 BOUNDARY_II = {
     l_BC: 1, l_CD: -1, l_DE: -1, l_GH: 1, l_KL: 1, l_LM: -1, alpha_DE: 1, alpha_KL: 1,
 }  # fmt: skip
@@ -27,7 +27,7 @@ BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
 
 
 # Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide. Evaluation is
-# switched here alone: each time SymPy forgets all that it has computed.
+# only switched here: each switch makes SymPy forget everything that it has computed.
 with sp.evaluate(False):
     TURNED = print_1.xreplace({Q: PRINTED_Q})
     RUN = driven.xreplace({overlap: print_3 - l_GH})
@@ -36,7 +36,7 @@ with sp.evaluate(False):
 
 
 def put(formula: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Put values for letters and evaluate nothing."""
+    """Return a formula with values put in for letters, without evaluating anything."""
     if formula in values or not formula.args:
         return values.get(formula, formula)
     return formula.func(*(put(part, values) for part in formula.args), evaluate=False)
@@ -58,9 +58,9 @@ def position_of(table: PublishedSizes, signs: Signs, displacement: Displacement)
 
 
 def upright_at(table: PublishedSizes) -> sp.Expr:
-    """Return the displacement (mm) of the pusher at which KL is upright, R = 0: (3) and (4) back.
+    """Return the displacement (mm) of the pusher at which KL is upright, R = 0, by (3) and (4).
 
-    Group 1 solved for x1: (l_AB + l_CD) (sec(varphi3) - 1) - l_BC tan(varphi3).
+    Group 1 is solved for x1: (l_AB + l_CD) (sec(varphi3) - 1) - l_BC tan(varphi3).
     """
     sizes = limits(table, {})
     run = sizes[l_KL] * sp.cos(sizes[alpha_KL]) + sizes[l_GH]
@@ -79,11 +79,11 @@ def upright_wedge(table: PublishedSizes) -> sp.Expr:
 def deviations_round(
     table: PublishedSizes, displacement: Displacement, lower: Signs, printed: tuple[str, str]
 ) -> Conjunction:
-    """State to what the deviations of II and a lower boundary round, % of the nominal position."""
+    """State the rounded deviations of II and a lower boundary, in % of the nominal position."""
     nominal, high, low = (
         position_of(table, signs, displacement) for signs in ({}, BOUNDARY_II, lower)
     )
-    # The position is negative, so the upper boundary is the smaller one in amount.
+    # The position is negative, so the upper boundary has the smaller absolute value.
     with sp.evaluate(False):
         deviations = (100 * (1 - high / nominal), 100 * (low / nominal - 1))
     return all_of(*rounded(printed, deviations))
@@ -91,10 +91,10 @@ def deviations_round(
 
 @remember_last(len(SETS))
 def angles_in_range(table: PublishedSizes) -> Conjunction:
-    """State between which directions DE, KL and LM stay, all sizes within limits, to -40 mm.
+    """State the ranges of the directions DE, KL and LM, all sizes within limits, down to -40 mm.
 
     varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV. An arctangent
-    is below a right angle anyway: that it is varphi3, the denominator of (1) says by its sign.
+    is below a right angle anyway: the sign of the denominator of (1) shows that it is varphi3.
     """
     turned, _ = angles_of(table, BOUNDARY_III, -40)
     farthest = {**limits(table, BOUNDARY_III), x1: sp.Integer(-40)}
@@ -121,7 +121,8 @@ def extreme(
 ) -> Conjunction:
     """State what makes a curve a boundary from a displacement to x1 = 0 (or to -40).
 
-    Directions in which each size moves y9, and at the displacement the order of both alpha_KL.
+    That is the direction in which each size moves y9 and, at the displacement, the order of both
+    alpha_KL.
     """
     upper = boundary[l_BC] > 0
     own = cache(partial(position_of, table, boundary))
@@ -140,12 +141,12 @@ def extreme(
 
 
 def in_all(statement: Callable[[PublishedSizes], Statement]) -> Conjunction:
-    """State the same of all reconstructions."""
+    """State the same for all reconstructions."""
     return all_of(*map(statement, SETS))
 
 
 def influence(size: sp.Symbol) -> Conjunction:
-    """State that the position at -40 mm differs between the limits of the size, all sets."""
+    """State that the position at -40 mm differs between the limits of the size, in all sets."""
     return in_all(
         lambda table: Holds(
             sp.Ne(
@@ -157,9 +158,9 @@ def influence(size: sp.Symbol) -> Conjunction:
     )
 
 
-# Which tolerances make the deviation at -40 mm, by the reconstructed sizes ------------------------
+# Which tolerances cause the deviation at -40 mm, by the reconstructed sizes -----------------------
 
-# Half the change (mm) of y9 between the limits of each size, of the three sets.
+# Half the change (mm) of y9 between the limits of each size, for the three sets.
 PARTS = {
     l_BC: ("3.5", "1.8", "2.8"),
     l_GH: ("2.5", "2.3", "2.5"),
@@ -170,9 +171,9 @@ PARTS = {
     l_LM: ("0.1", "0.1", "0.1"),
     alpha_KL: ("0.0", "0.0", "0.0"),
 }
-# Per cent of the nominal position: all at their worst together, and the root of the squares.
+# Percentage of the nominal position: all at their worst together, and the root of the squares.
 TOTALS = (("10.2", "4.5"), ("9.8", "4.2"), ("9.3", "4.1"))
-# What lever and rod, and roller lever and wedge, make of a small displacement there.
+# The factors of lever and rod, and of roller lever and wedge, for a small displacement there.
 STAGES = (("0.64", "2.86"), ("0.24", "2.68"), ("0.57", "2.82"))
 
 
@@ -204,7 +205,7 @@ def stage_ratios(table: PublishedSizes) -> tuple[sp.Expr, sp.Expr]:
 
 
 def write(size: sp.Symbol, numbers: tuple[str, ...]) -> str:
-    """Write the parts of a size."""
+    """Write the parts of a size as a print."""
     first, *others = numbers
     between = r";\ "
     return rf"{NAMES[size]}\colon {first}\ ({between.join(others)})~\mathrm{{mm}}"

@@ -28,14 +28,14 @@ DEVIATIONS = {
 
 
 def with_deviations(size: sp.Symbol, nominal: str, if_lost: str = "") -> tuple[str, str, str]:
-    """Return nominal, upper and lower deviation; `if_lost` stands for a lost upper one."""
+    """Return nominal, upper and lower deviation; `if_lost` replaces a lost upper one."""
     upper, lower = DEVIATIONS[size]
     return nominal, upper or if_lost, lower
 
 
-# Nominal, upper and lower limit deviation (mm, degrees). Three reconstructions of what cannot be
-# read, fitted to the printed crossing of two boundary curves at x1 = -29.4 mm, which therefore
-# confirms none; lost upper deviations are +1.22 (BC) and, but in the second, 0 (CD).
+# Nominal, upper and lower limit deviation (mm, degrees). Three reconstructions of the illegible
+# entries, fitted to the printed crossing of two boundary curves at x1 = -29.4 mm, which therefore
+# confirms none of them; lost upper deviations are +1.22 (BC) and, except in the second, 0 (CD).
 FIRST_SIZES = {
     l_AB: ("6.25", "0", "0"),
     l_BC: with_deviations(l_BC, "49.75", "1.22"),
@@ -63,12 +63,12 @@ ANGLES = (alpha_DE, alpha_KL, alpha_LM)
 
 
 def unit(size: sp.Symbol) -> sp.Expr:
-    """Return what a number of the table of sizes is multiplied by: mm are kept, degrees are not."""
+    """Return the factor for a number in the table of sizes: mm are kept, degrees are converted."""
     return pi / 180 if size in ANGLES else sp.S.One
 
 
 def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> PublishedSizes:
-    """Return a reconstruction of the sizes, named by the three in which both differ."""
+    """Return a reconstruction of the sizes, named by its BC, CD and DE."""
     chosen = ", ".join(f"{size} = {table[size][0]}" for size in (l_BC, l_CD, l_DE))
     sizes = {
         size: Toleranced(*(Rational(text) * unit(size) for text in texts))
@@ -84,7 +84,7 @@ FIRST_SET, SECOND_SET, _ = SETS
 
 
 def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
-    """Return the exact sizes of a combination: nominal, or at the limit its sign names."""
+    """Return the exact sizes of a combination: nominal, or at the limit that the sign names."""
     sizes = {}
     for size, value in table.sizes.items():
         assert isinstance(value, Toleranced)
@@ -106,7 +106,7 @@ VARIABLES = tuple(
     for which, symbol in zip(("upper", "lower"), pair, strict=True)
 )
 
-# What is legible of each size, and what is said of those of which not all is.
+# The legible digits of each size, and what is said of those that are not all legible.
 LEGIBLE = {
     **{l_AB: "6.25", l_BC: "19.75", l_CD: "38", l_DE: "70.833", l_EF: "4", l_GH: "2"},
     **{l_KL: "60", l_LM: "145", alpha_DE: "283.06", alpha_KL: "65", alpha_LM: "123.48"},

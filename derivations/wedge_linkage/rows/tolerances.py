@@ -20,7 +20,7 @@ from .sizes import FIRST_SET, SECOND_SET, SETS
 
 
 def no_influence(size: sp.Symbol) -> Conjunction:
-    """State that no solution of a group, all lengths kept in, changes with the size."""
+    """State that no solution of a group, with all lengths kept, changes with the size."""
     outputs = (rod, displacement[tau], wedge, lever_cosine, lever_sine)
     return all_of(*(Equality(sp.diff(output, size), sp.S.Zero) for output in outputs))
 

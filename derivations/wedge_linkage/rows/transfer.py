@@ -17,12 +17,12 @@ GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
 
 
 def mobility(links: int, pairs: int) -> sp.Integer:
-    """Degrees of freedom of a plane linkage with lower pairs only (Chebyshev)."""
+    """Return the degrees of freedom of a plane linkage with lower pairs only (Chebyshev)."""
     return sp.Integer(3 * links - 2 * pairs)
 
 
 def push_by(pushed: sp.Basic) -> tuple[Equality, Equality]:
-    """State that the rod, displaced by x5, pushes what is beyond the clearance and nothing else."""
+    """State that the rod, displaced by x5, pushes only by the part beyond the clearance."""
     return (
         Equality(pushed.subs(x5, l_GH + excess), excess),
         Equality(pushed.subs(x5, l_GH - lack), sp.S.Zero),
