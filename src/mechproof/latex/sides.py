@@ -58,10 +58,10 @@ def name_entries(side: Any) -> Any:
 
 
 def says_nothing(left: Any, right: Any) -> bool:
-    """Return whether an equation of matrices without known entries is not an identity in them.
+    """Return whether an equation cannot be checked for matrices without known entries.
 
-    A matrix symbol alone on a side always counts. One that appears on one side only does, too, as
-    the equation then restricts it.
+    It cannot if one of them is alone on a side, or if they are on one side only, or on sides of
+    different kinds, and the sides are not identically equal.
     """
     sides = (left, right)
     if any(isinstance(side, sp.MatrixSymbol) for side in sides):

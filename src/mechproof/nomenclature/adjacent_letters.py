@@ -32,8 +32,7 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
     r"""Return the letters that multiply the bracket after them: r(1-\cos\varphi)=r-r\cos\varphi.
 
     Such a letter also appears without a bracket, or has dots, and none of its brackets may be an
-    argument. A bracket with variables of integration counts as a factor only inside their
-    integrals.
+    argument. A sum whose running letters are all bound by integrals around it is not an argument.
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)

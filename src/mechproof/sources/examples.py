@@ -45,7 +45,7 @@ class Example:
 
     `last` is the number of the last example, `start` its beginning in the files, `level` the level
     of the heading that begins it; if it `has_several`, each lower heading begins another. `is_sure`
-    is false if words begin it and a new paragraph may have left it.
+    is false if words begin it and a new paragraph turns to something else.
     """
 
     number: int = 0
