@@ -1,4 +1,4 @@
-"""The rows of a paper that is judged: where each stands, what it does, what became of it."""
+"""The rows of a judged paper: the place, the role and the outcome of each."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ _MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
 
 @dataclass(frozen=True)
 class CheckedRow:
-    """One relation sign of a paper: where it stands, what it does, its judgement or why none.
+    """One relation sign of a paper: its place, its role, and its judgement or why it has none.
 
-    `stated` is the row with what it says by itself, where that could be read.
+    `stated` is the row with its statement taken on its own, or None if that could not be read.
     """
 
     name: str
@@ -38,11 +38,11 @@ class CheckedRow:
 
     @property
     def outcome(self) -> str:
-        """Return the verdict, or the state of what has none."""
+        """Return the verdict, or the state of a row that has none."""
         return self.judgement.verdict.value if self.judgement else self.state.value
 
     def leave(self) -> Left:
-        """Return what the ledger has of a row without a verdict."""
+        """Return the ledger's entry for a row without a verdict."""
         return Left(self.name, self.place, self.latex, self.state, self.reason, self.remedy)
 
     def as_dict(self) -> dict[str, object]:
@@ -66,7 +66,7 @@ def rows_to_json(rows: Sequence[CheckedRow]) -> str:
 
 
 def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
-    """Return the row of a task with its judgement, or why there is none."""
+    """Return a task's row with its judgement, or with the reason why there is none."""
     head = (task.row.number, task.place, task.row.printed_latex)
     if isinstance(answer, Judgement):
         judged = replace(answer, place=task.place, reason=_write_plainly(answer.reason))
@@ -76,18 +76,18 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
 
 
 def show_left(left: Left) -> CheckedRow:
-    """Return the row of what is not judged."""
+    """Return the row of a print that is not judged."""
     head = (left.number, left.place, left.printed_latex, left.state)
     return CheckedRow(*head, reason=_write_plainly(left.reason), remedy=left.remedy)
 
 
 def _write_plainly(reason: str) -> str:
-    """Write powers and bound variables as in what a print is read as, x^2, members as printed."""
+    """Write powers as x^2, bound variables by name, and members of families as printed."""
     return _MEMBER.sub(_write_member, name_bound(reason.replace("**", "^")))
 
 
 def _write_member(found: re.Match[str]) -> str:
-    """Return the index of a member of a family, d_{b1} for d_{bi}[1]."""
+    """Return the printed index of a member of a family: d_{b1} for d_{bi}[1]."""
     letters, values = found[2] or found[3], found[4].split(", ")
     if len(letters) < len(values):
         return found[0]
@@ -99,9 +99,9 @@ def _write_member(found: re.Match[str]) -> str:
 def list_standing(
     task: Task, tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
 ) -> list[list[str]]:
-    """Return the members that a print is compared with, those together that do not differ.
+    """Return the members that a print is compared with, in groups that agree among themselves.
 
-    If one group is the largest, the members of the others do not stand.
+    If one group is larger than the others, only that group is returned.
     """
     first = task.sign.first
     groups = [[first]]

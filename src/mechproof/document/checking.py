@@ -76,7 +76,7 @@ _EITHER = (
     "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
     "which in the block of letters: identity, or constraint"
 )
-# Tells those who pass an equation where a file name belongs.
+# Advice for a caller who passes an equation where a file name belongs.
 _PASTED = "to judge an equation, use mechproof.judge_equation"
 
 
@@ -127,7 +127,7 @@ class CheckedPaper:
 
 
 def _state(row: CheckedRow) -> Row:
-    """Return the printed row; without a verdict it says nothing."""
+    """Return the printed row, which states nothing if it could not be read."""
     return replace(row.stated or Equation("", row.latex), number=row.name)
 
 
@@ -141,8 +141,8 @@ def check(
     """Read a paper's source and judge what it asserts.
 
     `path` names a LaTeX or Markdown file; `content`, if given, is its text, and no file is read. A
-    row that takes longer than `limit` seconds is not judged and says so. `report` is called with
-    progress messages.
+    row that takes longer than `limit` seconds is not judged, and its reason says so. `report` is
+    called with progress messages.
     Raises `DocumentError` if the file cannot be read or has no equation, `ValueError` (including
     `BlockError`) if a block of letters cannot be read, and `TypeError` for other types.
     """
@@ -229,9 +229,10 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
 
 
 def _leave_open(at: Judging) -> Changes:
-    """Leave open a row compared with another print if their letters differ.
+    """Leave a row open that was compared with another print whose letters differ.
 
-    Likewise a row that does not hold though its sides have the same letters, as identities have.
+    Likewise leave open a row that does not hold and may be an identity or a constraint, since both
+    sides have the same letters.
     """
     for number, task in enumerate(at.tasks):
         found = at.rows[number].judgement
@@ -245,7 +246,7 @@ def _leave_open(at: Judging) -> Changes:
 
 
 def _compare_members(at: Judging) -> Changes:
-    """Judge later values printed for a letter by all standing members of its first chain."""
+    """Judge later values printed for a letter by all agreeing members of its first chain."""
     asked = []
     for n, task in enumerate(at.tasks):
         if not task.others or task.follows:
@@ -259,9 +260,9 @@ def _compare_members(at: Judging) -> Changes:
 
 
 def _compare_specially(at: Judging) -> Changes:
-    """Judge rows not shown in general again, at the values that the words beside them state.
+    """Judge rows that are not proved in general again, at the values stated in the nearby text.
 
-    "With the ring held ($n_3=0$) the ratio is" states such a value. A row that differs there, too,
+    "With the ring held ($n_3=0$) the ratio is" states such a value. A row that is false there, too,
     is refuted if both sides then have the same letters, as identities have.
     """
     asked = [(n, "special") for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
@@ -275,7 +276,7 @@ def _compare_specially(at: Judging) -> Changes:
 
 
 def _is_special(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is open and reads differently at the values stated beside it."""
+    """Return whether a row is open and reads differently at the values stated nearby."""
     verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
     is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
     # A row that may be another case of a definition may be the case that the words state.

@@ -1,1 +1,1 @@
-"""Constraints between the letters of a paper: what follows from them, and where they hold."""
+"""Constraints between the letters of a paper: their consequences, and where they hold."""

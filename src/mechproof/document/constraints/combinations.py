@@ -1,10 +1,10 @@
-"""Constraints between letters: what follows from some, and what cannot hold together with one.
+"""Constraints between letters: the equations that follow from them or contradict them.
 
-A constraint says that its residual, one side minus the other, is zero. An equation follows from it
-if its own residual is a multiple of that one: the multiplier is looked for by a division of
-polynomials in the sines and cosines and letters. It follows from several if its residual is a sum
-of multiples: multipliers with the monomials of the constraints are looked for by linear equations
-for their coefficients. What is found is left to the prover.
+A constraint says that its residual, one side minus the other, is zero. An equation follows from a
+constraint if its own residual is a multiple of the constraint's: the multiplier is sought by
+polynomial division in sines, cosines and letters. An equation follows from several constraints if
+its residual is a sum of multiples: the multipliers are sought among polynomials in the monomials
+of the constraints, by linear equations for the coefficients. The prover confirms each find.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from mechproof.record import Equality, list_divisors
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
-# Work limit: operations of a residual for which a multiplier is looked for.
+# Work limit: operation count up to which a multiplier is sought for a residual.
 LARGEST = 1000
-# Work limit: products of constraints with monomials among which a sum is looked for.
+# Work limit: number of products of constraints and monomials that a sum may be made of.
 MOST_PRODUCTS = 300
 # Stands for pi in polynomials.
 _PI = sp.Dummy("pi", positive=True)
@@ -37,9 +37,9 @@ def find_multiple(
 ) -> tuple[sp.Expr, sp.Expr] | None:
     """Return m and r with residual = m * constraint + r, proved on the domain; None if not found.
 
-    With r = 0 the residual follows from the constraint; with another r, which has no zero, both
-    are never zero together. What the multiplier is divided by has no zero on the domain, but where
-    the residual has no value: where the constraint holds, a multiplier without value would prove
+    With r = 0 the residual follows from the constraint; with any other r, which has no zero, the
+    two are never zero together. The divisors of m and r have no zero on the domain, except where
+    the residual has no value: a multiplier without a value where the constraint holds would prove
     anything.
     """
     for multiplier, rest in _propose(residual, constraint):
@@ -52,9 +52,9 @@ def find_multiple(
 def find_combination(
     residual: sp.Expr, constraints: Sequence[sp.Expr], domain: Domain
 ) -> tuple[sp.Expr, ...] | None:
-    """Return multipliers of which the residual is the sum, proved on the domain; None if not found.
+    """Return multipliers with which the constraints add up to the residual, proved on the domain.
 
-    What they are divided by has no zero on the domain, but where the residual has no value.
+    None if not found. The multipliers' divisors have no zero where the residual has a value.
     """
     if numbers := _add_up(residual, constraints):
         return numbers
@@ -74,7 +74,7 @@ def _find_multipliers(
     tangents: Mapping[sp.Expr, sp.Expr],
     domain: Domain,
 ) -> tuple[sp.Expr, ...] | None:
-    """Return multipliers as `find_combination` does, with these symbols for tangents."""
+    """Return multipliers as `find_combination` does, with `tangents` replaced by symbols."""
     plain = (one.xreplace(tangents) for one in (residual, *constraints))
     (above, below), *others = map(_to_fraction, plain)
     names = _name_functions((above, *(one for one, _ in others)))
@@ -94,7 +94,7 @@ def _find_multipliers(
 
 
 def _add_up(residual: sp.Expr, constraints: Sequence[sp.Expr]) -> tuple[sp.Expr, ...] | None:
-    """Return numbers by which constraints add up to the residual, term by term."""
+    """Return numbers by which the constraints add up to the residual, term by term, or None."""
     terms = [sp.expand(one).as_coefficients_dict() for one in (residual, *constraints)]
     if not all(value.is_Rational for one in terms for value in one.values()):
         return None
@@ -114,25 +114,26 @@ def list_factors(expression: sp.Expr) -> list[sp.Expr]:
 
 
 def list_factors_below(expression: sp.Expr) -> list[sp.Expr]:
-    """Return the factors by which an expression is divided, as tangents are by cosines."""
+    """Return the factors of an expression's divisors; a tangent counts as divided by its cosine."""
     below = sp.Mul(*list_divisors(expression))
     if any(power.exp.could_extract_minus_sign() for power in below.atoms(sp.Pow)):
-        # Fractions within the divisors are left out: their own divisors are listed separately.
+        # Divisors of fractions within the divisors are listed separately, so they are dropped here.
         below = sp.numer(sp.together(below))
     return list_factors(below)
 
 
 def _list_written_out(factor: sp.Expr) -> list[sp.Expr]:
-    """Return the factors of a factor that is multiplied by the cosines of its tangents.
+    """Return the factors of a factor after its tangents' cosines are multiplied out.
 
-    The tangent of a sum is written out by its sine and cosine: by other tangents it has poles.
+    The tangent of a sum is expanded by its sine and cosine, as the expansion in other tangents has
+    poles of its own.
     """
     above = sp.numer(sp.together(_divide_tangents(factor)))
     return list_factors(sp.expand_trig(above))
 
 
 def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Domain) -> bool:
-    """Return whether multipliers have values where the residual has one."""
+    """Return whether multipliers have values wherever the residual has one."""
     own = {*list_factors_below(residual)}
     # Multipliers contain tangents, and sines of sums, in expanded form.
     own |= {factor for one in own for factor in _list_written_out(one)}
@@ -144,17 +145,17 @@ def _have_values(multipliers: Sequence[sp.Expr], residual: sp.Expr, domain: Doma
 def _combine(
     target: sp.Expr, parts: Sequence[sp.Expr], circles: Sequence[sp.Expr]
 ) -> list[sp.Expr] | None:
-    """Return polynomials whose products with the parts add up to the target, up to the circles.
+    """Return polynomials whose products with the parts add up to the target, modulo the circles.
 
-    Coefficients are fractions: None where others are met. pi counts as a letter: what holds for any
-    letter holds for pi.
+    Coefficients must be rational, otherwise None is returned. pi counts as a letter: what holds for
+    any letter holds for pi.
     """
     target, *others = (one.xreplace({sp.pi: _PI}) for one in (target, *parts, *circles))
     parts, circles = others[: len(parts)], others[len(parts) :]
     met = set().union(*(p.free_symbols for p in (target, *parts, *circles)))
     if not met:
         return None
-    # In the order of the ring a root comes before the letters under it.
+    # In the ring's order a root must come before the letters under it.
     letters = sorted(met, key=lambda s: (not isinstance(s, sp.Dummy), str(s)))
     ring = PolyRing(letters, sp.QQ, lex)
     try:
@@ -164,7 +165,7 @@ def _combine(
     sums = [_read_polynomial(one, ring) for one in parts]
     known = {ring.zero_monom, *(g.LM for g in ring.gens), *(m for one in sums for m in one)}
     factors = {sp.Mul(*map(sp.Pow, letters, monomial)): monomial for monomial in known}
-    # Squares of constraints may cancel only by the relations of sines, cosines and roots.
+    # Squares of constraints may only cancel by the relations of sines, cosines and roots.
     most = max([_degree(goal), *(2 * _degree(one) for one in sums if zeros)])
     products = [
         (n, factor)
@@ -174,7 +175,7 @@ def _combine(
     ]
     if len(products) > MOST_PRODUCTS:
         return None
-    # If a factor of the goal is such a sum, so is the goal.
+    # If a factor of the goal is a sum of such products, so is the goal.
     goals = dict.fromkeys((goal, *(factor for factor, _ in goal.factor_list()[1])))
     near = dict.fromkeys(pair for one in goals for pair in _list_near(one, sums))
     if len(products) + len(near) <= MOST_PRODUCTS:
@@ -196,7 +197,10 @@ def _combine(
 def _list_near(
     goal: PolyElement, sums: Sequence[PolyElement]
 ) -> Iterator[tuple[int, tuple[int, ...]]]:
-    """Yield constraints with monomials whose products have terms in common with the goal."""
+    """Yield constraints with monomials whose products share terms with the goal.
+
+    The terms of these products count as the goal's in a second round.
+    """
     found: dict[tuple[int, tuple[int, ...]], None] = {}
     terms = {*goal}
     for _ in range(2):
@@ -213,7 +217,7 @@ def _list_near(
 
 
 def _read_polynomial(expression: sp.Expr, ring: PolyRing) -> PolyElement:
-    """Return a constraint as a polynomial, zero (of no use) if it is none over the ring."""
+    """Return a constraint as a polynomial, or zero (of no use) if it is none over the ring."""
     try:
         return ring.from_expr(expression)
     except (ValueError, sp.CoercionFailed):
@@ -227,7 +231,7 @@ def _degree(polynomial: PolyElement) -> int:
 def _solve(
     columns: Sequence[Mapping[tuple[int, ...], Any]], wanted: Mapping[tuple[int, ...], Any]
 ) -> list[sp.Expr] | None:
-    """Return coefficients with which the columns add up to what is wanted, None without any."""
+    """Return coefficients with which the columns add up to `wanted`, or None if there are none."""
     places = {m: n for n, m in enumerate(sorted({*wanted, *(m for c in columns for m in c)}))}
     last, rows = len(columns), dict[int, dict[int, Any]]()
     for number, column in enumerate((*columns, wanted)):
@@ -243,7 +247,7 @@ def _solve(
 
 
 def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Yield a multiplier and what remains."""
+    """Yield candidates (m, r) with residual = m * constraint + r."""
     if constraint.is_number or residual.count_ops() + constraint.count_ops() > LARGEST:
         return
     (above, below), (own_above, own_below) = map(_to_fraction, (residual, constraint))
@@ -254,7 +258,7 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
     generators = sorted(set().union(*(p.free_symbols for p in polynomials)), key=str)
     back = {name: function for function, name in names.items()}
     for shared in dict.fromkeys((sp.S.One, _find_shared(polynomials[1]))):
-        # An equation of motion is printed without the mass that all its terms have.
+        # An equation of motion is printed without the mass that is a factor of all its terms.
         own = sp.expand(polynomials[1] / shared)
         try:
             (first, *_), rest = sp.reduced(polynomials[0], [own, *polynomials[2:]], *generators)
@@ -265,7 +269,7 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
 
 
 def _find_shared(polynomial: sp.Expr) -> sp.Expr:
-    """Return the product of letters that all terms have."""
+    """Return the product of the letters that are factors of all terms."""
     factors = sp.Mul.make_args(sp.terms_gcd(polynomial))
     return sp.Mul(*(one for one in factors if not (one.is_Add or one.is_number)))
 
@@ -281,7 +285,7 @@ def _divide_tangents(expression: sp.Expr) -> sp.Expr:
 
 
 def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Return a symbol for each tangent of an angle whose sine and cosine stand nowhere."""
+    """Return a symbol for each tangent of an angle whose sine and cosine do not occur."""
     angles = {f.args[0] for e in expressions for f in e.atoms(sp.sin, sp.cos)}
     met = {tangent for e in expressions for tangent in e.atoms(sp.tan)}
     alone = sorted((one for one in met if one.args[0] not in angles), key=str)
@@ -289,9 +293,9 @@ def _name_tangents(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
 
 
 def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """Return symbols for sines and cosines of the angles that are met, square roots, powers of e.
+    """Return symbols for the sines and cosines, square roots and powers of e that occur.
 
-    Those whose exponents are multiples of one are powers of one symbol.
+    Powers of e whose exponents are multiples of one expression are powers of one symbol.
     """
     expressions = [*expressions]
     angles = {f.args[0] for e in expressions for f in e.atoms(sp.sin, sp.cos)}
@@ -313,7 +317,7 @@ def _name_functions(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
 
 
 def _circles(names: Mapping[sp.Expr, sp.Expr]) -> Iterator[sp.Expr]:
-    """Yield relations, as zeros, of the symbols of sines and cosines, and of square roots."""
+    """Yield the relations, as zeros, between the symbols of sines, cosines and square roots."""
     for function, name in names.items():
         if isinstance(function, sp.cos):
             yield name**2 + names[sp.sin(function.args[0])] ** 2 - 1

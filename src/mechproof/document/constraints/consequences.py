@@ -1,8 +1,8 @@
-"""What becomes of an equation beside the constraints of its paper, which are taken as given.
+"""The consequences of a paper's constraints, taken as given, for another of its equations.
 
-Which of them apply to a row words tell, as far as they do. What makes letters equal at a special
-position no longer holds after the next words that say something new. What is printed again with
-other signs, behind other words, holds instead of the first print.
+Words in the text say which constraints apply to a row, as far as they say it at all. A constraint
+that makes letters equal at a special position lapses at the next words that say something new. A
+constraint that is printed again with other signs, after other words, replaces the first print.
 """
 
 from __future__ import annotations
@@ -40,7 +40,8 @@ ROOT = ", as the root is, is taken as given"
 def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, str] | None:
     """Judge a row by the constraints that it follows from, or cannot hold together with.
 
-    Only constraints that hold together somewhere on the domain prove anything.
+    A constraint proves something only if it holds at some point of the domain. Returns the verdict,
+    the rung and the reason, or None.
     """
     domain = Domain.of(task.paper, task.row.on)
     task, *others = (
@@ -63,7 +64,7 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
 
 
 def _split_roots(value: sp.Expr, domain: Domain) -> sp.Expr:
-    r"""Write roots of products by those of positive letters: \sqrt{km}\sqrt{k/m} is k then."""
+    r"""Write roots of products by roots of positive letters, so that \sqrt{km}\sqrt{k/m} is k."""
     letters = {s for root in find_roots(value) for s in root.free_symbols}
     names = {s: sp.Dummy(str(s), positive=True) for s in letters if is_positive(s, domain)}
     return value.xreplace(names).xreplace({name: s for s, name in names.items()})
@@ -74,7 +75,7 @@ def _multiply(name: str, factor: sp.Expr) -> str:
 
 
 def list_letters(task: Task) -> set[sp.Basic]:
-    """Return the letters of the residual of a row, or of the equations that it consists of."""
+    """Return the letters of a row's residual, or of the equations that it consists of."""
     if task.residual is not None:
         return set(task.residual.free_symbols)
     says, domain = task.row.says, Domain.of(task.paper, task.row.on)
@@ -84,7 +85,7 @@ def list_letters(task: Task) -> set[sp.Basic]:
 
 
 def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    """Judge whether a row follows from several constraints, or from derivatives of some."""
+    """Judge whether a row follows from several constraints, or from their derivatives."""
     given = {other.row.number: other.residual for other in others}
     for known in (given, *_list_rates(task, others)):
         multipliers = find_combination(task.residual, list(known.values()), domain)
@@ -100,7 +101,7 @@ def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdic
 def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
     r"""Judge whether a row with a root follows by its square, the root having the right sign.
 
-    Where a + b\sqrt{c} is printed to be zero, a^2 = b^2 c, and a and b are not of one sign.
+    a + b\sqrt{c} = 0 holds where a^2 = b^2 c and -a/b is not negative.
     """
     residual = sp.sympify(task.residual)
     roots = [power for power in residual.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)]
@@ -124,9 +125,9 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
 
 
 def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
-    """Judge whether a row is the derivative of one printed before, with what others print put in.
+    """Judge whether a row is the derivative of an earlier print after substituting other prints.
 
-    These hold only where they have values, so that no divisor of theirs is a matter.
+    These hold only where they have values, so their divisors need no check.
     """
     letters = list_letters(task)
     rates = [
@@ -151,9 +152,10 @@ def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
 
 
 def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
-    """Yield the first derivatives of constraints, and with them the second ones.
+    """Yield sets of derivatives of constraints: the first, then the first and the second.
 
-    First those of angles whose tangents are printed, without these: they need no other constraint.
+    First come those of tangents printed alone, each with its tangent replaced by the printed value:
+    these need no other constraint.
     """
     tangents = {
         f"the derivative of {other.row.number}": other.rates[0].xreplace({tangent: value})
@@ -188,7 +190,7 @@ def _solve_for_tangent(residual: sp.Expr | None) -> tuple[sp.Expr, sp.Expr] | No
 
 
 def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) -> list[int]:
-    """List the constraints before a row that hold for it."""
+    """Return the numbers of the constraints printed before a row that hold for it."""
     task = tasks[number]
     before = [g for g in given if g < number and may_hold_for(tasks[g], task)]
     before = [g for g in before if not is_left(tasks[g], task)]
@@ -196,7 +198,7 @@ def list_applicable(given: Sequence[int], number: int, tasks: Sequence[Task]) ->
 
 
 def state_at(given: Sequence[Task], task: Task) -> Iterator[Task]:
-    """Yield constraints at the values of letters that are said of a row.
+    """Yield constraints at the values that the row's text states for letters.
 
     Constraints under a condition that the row does not have are left out.
     """
@@ -219,9 +221,9 @@ def is_turned(one: Task, other: Task) -> bool:
 
 
 def may_hold_for(given: Task, task: Task) -> bool:
-    """Return whether a constraint is said of what a row is about, as far as words tell.
+    """Return whether a constraint is about the same thing as a row, as far as the words show.
 
-    A special position is left with the next passage that says something new.
+    A special position ends at the next passage that says something new.
     """
     is_special = given.said.is_equating or task.said.is_general
     is_left = given.said.is_position or (is_special and is_plain(given))
@@ -230,25 +232,25 @@ def may_hold_for(given: Task, task: Task) -> bool:
 
 
 def is_of_another_example(one: Task, other: Task) -> bool:
-    """Return whether a row is printed in a worked example in which another one is not."""
+    """Return whether `one` is printed in a worked example that `other` is not part of."""
     return one.said.example.number not in (0, other.said.example.number)
 
 
 def holds_elsewhere(one: Task, other: Task) -> bool:
-    """Return whether what introduces a letter in a worked example gives it in that only."""
+    """Return whether `one` gives its letter a value only in an example that `other` is not in."""
     given = (v.given for v in other.paper.variables if v.symbol == one.sign.letter)
     return is_of_another_example(one, other) and not any(value is not None for value in given)
 
 
 def is_left(given: Task, task: Task) -> bool:
-    """Return whether letters made equal may differ behind the next words that say something new."""
+    """Return whether letters made equal may differ after the next words that say something new."""
     return is_bare(given) and given.said.scope != task.said.scope
 
 
 def is_bare(task: Task) -> bool:
-    """Return whether a row makes letters of one meaning equal, or a letter a number, and no more.
+    """Return whether a row only makes letters of one meaning equal, or a letter a number.
 
-    Letters that are declared in one line have one meaning. Those of two are equal by a law.
+    Letters declared on one line have one meaning. Letters of two lines are equal by a law.
     """
     says = task.row.says
     one, other = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
@@ -261,14 +263,14 @@ def is_bare(task: Task) -> bool:
 
 
 def _find_letter(side: sp.Basic | None) -> sp.Basic | None:
-    """Return the letter that a side is, or of which it is the opposite."""
+    """Return the letter that a side is, or is the negative of; None for any other side."""
     if not isinstance(side, sp.Expr):
         return None
     return next((one for one in (side, -side) if one.is_Symbol), None)
 
 
 def _leave_out_restated(given: Sequence[int], tasks: Sequence[Task]) -> list[int]:
-    """Leave out constraints that are printed again behind other words, with other signs."""
+    """Leave out constraints that are printed again after other words, with other signs."""
     terms = [_list_terms(tasks[g]) for g in given]
     return [
         g
@@ -281,13 +283,13 @@ def _leave_out_restated(given: Sequence[int], tasks: Sequence[Task]) -> list[int
 
 
 def _list_terms(task: Task) -> frozenset[sp.Expr]:
-    """Return the terms of a constraint but for their signs."""
+    """Return the terms of a constraint without their signs."""
     terms = sp.Add.make_args(task.residual)
     return frozenset(-t if t.could_extract_minus_sign() else t for t in terms)
 
 
 def is_plain(task: Task) -> bool:
-    """Return whether a constraint makes sums of letters and numbers equal, as a = b + pi.
+    """Return whether a constraint equates sums of letters and numbers, as a = b + pi does.
 
     Both sides may have been multiplied or divided by letters.
     """

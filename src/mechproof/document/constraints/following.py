@@ -1,9 +1,9 @@
-"""An equation that a paper says to follow from others: these are solved, and put in.
+"""Judge an equation that a paper says follows from others, by solving these and substituting.
 
-Each of the others is solved for a letter of which nothing else is said and of which it is a linear
-function; what remains of the equation then must be true by itself. Where it is not, the others
-hold and it does not. First the others alone are taken: a paper may say elsewhere of a letter what
-holds only before an approximation. Then what else defines letters is put in, but for those that
+Each of the others is solved for a letter in which it is linear and about which nothing else is
+said; what remains of the equation must then be true on its own. If it is not, the others hold and
+the equation does not. First the others are used alone, as a definition printed elsewhere may hold
+only before an approximation. Then all definitions of letters are put in, except of the letters that
 the others define.
 """
 
@@ -32,7 +32,7 @@ _OPEN = (Verdict.REFUTED, Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
 def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
-    """Judge a row that is said to follow from other rows, or say why not."""
+    """Judge a row that is said to follow from other rows, or return why it cannot be judged."""
     found = judge(task.row, task.paper)
     if found.verdict not in _OPEN:
         return found
@@ -53,22 +53,22 @@ def judge_following(task: Task, tasks: Sequence[Task]) -> Judgement | str:
 
 
 def _weigh(answer: Judgement | str) -> int:
-    """Return the rank of an entry's answer; the lowest is that of the row, a misprint first."""
+    """Return the rank of an entry's answer: the lowest is the row's, a misprint first."""
     if isinstance(answer, str):
         return 1
     return {Verdict.REFUTED: 0, Verdict.PROVED: 3}.get(answer.verdict, 2)
 
 
 def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
-    """Return the entries of a row, in which such letters stand as printed, whatever defines them.
+    """Return the entries of a row, in which `letters` stand as printed, whatever defines them.
 
-    Those with the letter of a matrix are left out. A row that is no equation has none.
+    Entries that contain a matrix symbol are left out. A row that is not an equation has none.
     """
     return [one for one in _list_entries(task, letters) if not _has_matrix(one)]
 
 
 def list_all_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
-    """Return all entries of a row, none where one has the letter of a matrix."""
+    """Return all entries of a row, or none if one of them contains a matrix symbol."""
     entries = _list_entries(task, letters)
     return [] if any(map(_has_matrix, entries)) else entries
 
@@ -101,7 +101,7 @@ def _list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task
 
 
 def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement | str:
-    """Judge an entry of a row beside others, or say why not."""
+    """Judge one entry of a row given other rows, or return why it cannot be judged."""
     names = ", ".join(task.follows)
     given = [*state_at(given, task)]
     if not given:
@@ -137,7 +137,7 @@ def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement |
 
 
 def _list_free(paper: Paper) -> set[sp.Basic]:
-    """Return the letters that may have any value."""
+    """Return the letters that may have any real value."""
     said = set().union(*(relation.free_symbols for relation in paper.where))
     return {
         v.symbol
@@ -148,7 +148,7 @@ def _list_free(paper: Paper) -> set[sp.Basic]:
 
 @dataclass(frozen=True)
 class _Divisors:
-    """What may be divided by: it has no zero on the domain, or rows have no value there."""
+    """The allowed divisors: factors without a zero on the domain, or of the rows' own divisors."""
 
     below: frozenset[sp.Expr]
     domain: Domain
@@ -159,16 +159,16 @@ class _Divisors:
         return cls(frozenset(factor for one in below for factor in list_factors(one)), domain)
 
     def allow(self, expression: sp.Expr) -> bool:
-        """Return whether an expression is a product of such."""
+        """Return whether an expression is a product of allowed divisors."""
         return all(f in self.below or is_nonzero(f, self.domain) for f in list_factors(expression))
 
 
 def _solve(
     residuals: Sequence[sp.Expr], free: set[sp.Basic], divisors: _Divisors
 ) -> tuple[dict[sp.Basic, sp.Expr], bool] | None:
-    """Return values of letters at which all residuals are zero, and whether there are no others.
+    """Return values of letters at which all residuals are zero, and whether they are the only ones.
 
-    None if none are found. It is not known whether there are others where a divisor is zero.
+    None if none are found. Where a divisor may be zero, the values may not be the only ones.
     """
     values: dict[sp.Basic, sp.Expr] = {}
     is_everywhere = True
@@ -191,9 +191,9 @@ def _solve(
 def _solve_one(
     above: sp.Expr, free: set[sp.Basic], divisors: _Divisors
 ) -> Iterator[tuple[bool, bool, int, sp.Basic, sp.Expr]]:
-    """Yield letters with their values, and what speaks against them.
+    """Yield, for each letter solved for, the objections to its value, the letter and the value.
 
-    That is that the value is a number, that it is none everywhere, and what it is divided by.
+    The objections: the value is a number; its divisor may be zero; the size of the divisor.
     """
     for symbol in free & above.free_symbols:
         slope = sp.diff(above, symbol)

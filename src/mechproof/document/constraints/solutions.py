@@ -1,8 +1,9 @@
-r"""Prints with a double sign on one side, T = (-F ± \sqrt{…}) / …: with both they are roots.
+r"""Prints with a double sign on one side, T = (-F ± \sqrt{…}) / …: both signs give roots.
 
-The letter, or that of whose part it is the tangent, is put into the constraints that have it. Where
-it meets none, what is printed may have one of its two values wherever the others hold; a change of
-one part of the print with which it does is a misprint. Angles are compared up to whole turns.
+The letter, or the one of whose fraction it is the tangent, is put into the constraints that have
+it. If it satisfies none, the print may still have one of its two values wherever the others hold;
+a change of one part of the print that achieves this reveals a misprint. Angles are compared up to
+whole turns.
 """
 
 from __future__ import annotations
@@ -35,12 +36,12 @@ _JOINED: dict[str, type[sp.Expr]] = {"sum": sp.Add, "product": sp.Mul}
 
 
 def read_signs(reader: Reader) -> Reader:
-    """Return a reader for which a double sign is a letter."""
+    """Return a reader that reads a double sign as a letter."""
     return Reader(reader.variables, replace(reader.notation, branch=SIGN), reader.remedies)
 
 
 def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
-    """State of a row that it has one of two values, or of a step that it holds with both signs."""
+    """State that a row has one of its two values, or that a step holds with both signs."""
     says: Statement = Solutions(*sign.sides).state(dimensions)
     if sign.role is Role.STEP:
         left, right = map(_choose, sign.sides)
@@ -49,9 +50,9 @@ def state_signs(row: Row, sign: Sign, dimensions: Dimensions) -> Row:
 
 
 def tie_pair(row: Row, sign: Sign, dimensions: Dimensions) -> Iterator[tuple[Row, Sign]]:
-    r"""Yield a row, and of x_{1,2}=a\pm b what ties x_1 and x_2: their sum and their product.
+    r"""Yield a row and, for x_{1,2}=a\pm b, the constraints on the sum and product of x_1 and x_2.
 
-    Angles are equal up to whole turns.
+    Angles, which are equal only up to whole turns, are not tied.
     """
     yield row, sign
     if not sign.halves or is_angle(sign.sides, dimensions):
@@ -66,7 +67,7 @@ def tie_pair(row: Row, sign: Sign, dimensions: Dimensions) -> Iterator[tuple[Row
 
 
 def join_values(sign: Sign, sides: Sides) -> Sides:
-    """Return the sides of a row; for a tie of two letters, those of their print, joined."""
+    """Return the sides of a row; for a tie of two letters, the sum or product of both values."""
     if not sign.is_tied:
         return sides
     return sign.sides[0], sp.expand(sign.sides[0].func(*_choose(sides[1])))
@@ -75,7 +76,7 @@ def join_values(sign: Sign, sides: Sides) -> Sides:
 def _state_step(
     left: Sequence[sp.Expr], right: Sequence[sp.Expr], dimensions: Dimensions
 ) -> Conjunction:
-    """State that values of sides are equal one by one, angles up to whole turns."""
+    """State that the values of both sides are equal one by one, angles up to whole turns."""
     pairs = [Equality(a, b, "member") for a, b in zip(left, right, strict=True)]
     if is_angle((*left, *right), dimensions):
         return Conjunction(tuple(part for pair in pairs for part in state_angles(pair).parts))
@@ -83,7 +84,7 @@ def _state_step(
 
 
 def are_exchanged(task: Task) -> bool:
-    """Return whether the values of a step with double signs are equal the other way round."""
+    """Return whether the values of a step with double signs match in the opposite order."""
     sides = task.sign.sides
     if task.sign.role is not Role.STEP or not all(isinstance(s, sp.Expr) for s in sides):
         return False
@@ -97,7 +98,7 @@ def are_exchanged(task: Task) -> bool:
 
 
 def judge_angles(task: Task) -> Judgement | None:
-    """Judge two angles that are not equal by their directions: None if these differ."""
+    """Judge two angles that are not equal by their directions; None if the directions differ."""
     says, domain = task.row.says, Domain.of(task.paper, task.row.on)
     if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
         return None
@@ -110,7 +111,7 @@ def judge_angles(task: Task) -> Judgement | None:
 
 
 def judge_signs(task: Task, found: Judgement) -> Judgement | str:
-    """Judge a print with a double sign, of which one sign holds wherever its letters lie."""
+    """Judge a print with a double sign of which one sign or the other holds everywhere."""
     domain = Domain.of(task.paper, task.row.on)
     each = Solutions(*task.sign.sides).state_each(domain.dimensions)
     if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
@@ -120,19 +121,19 @@ def judge_signs(task: Task, found: Judgement) -> Judgement | str:
 
 
 def write_sign(text: str) -> str:
-    """Return the text of an expression with SIGN for a factor as it is printed."""
+    """Return the text of an expression with the factor SIGN written as a double sign."""
     return text.replace("+ ±*", "± ").replace("- ±*", "∓ ").replace("±*", "±")
 
 
 @dataclass(frozen=True)
 class Solutions:
-    """What is printed to have a value with both values of SIGN: mostly a letter."""
+    """A side, mostly a letter, and the print of its values with both values of SIGN."""
 
     left: sp.Expr
     value: sp.Expr
 
     def state(self, dimensions: Dimensions) -> Equality:
-        """State that it has one of the two values, angles up to whole turns."""
+        """State that the left side has one of the two values, angles up to whole turns."""
         one, other = _choose(self.value)
         if is_angle((self.left, self.value), dimensions):
             # With cos a - cos b = -2 sin((a + b)/2) sin((a - b)/2).
@@ -144,7 +145,7 @@ class Solutions:
         return Equality(rest, sp.S.Zero, "member")
 
     def state_each(self, dimensions: Dimensions) -> list[Statement]:
-        """State that it has the value with the one sign, and with the other."""
+        """Return the statements with the upper and with the lower sign."""
         says = [Equality(self.left, value, "member") for value in _choose(self.value)]
         if is_angle((self.left, self.value), dimensions):
             return [state_angles(one) for one in says]
@@ -152,18 +153,18 @@ class Solutions:
 
     @property
     def is_pair(self) -> bool:
-        """Return whether two letters are printed, x_{1,2}, of which no constraint says anything."""
+        """Return whether two letters are printed together, x_{1,2}, that occur in no constraint."""
         return bool(find_stem(name_symbol(str(self.left.as_base_exp()[0]))))
 
     def name_root(self, letters: Iterable[sp.Basic]) -> Solutions:
-        """Return what is printed of both roots, x_{1,2}, as what it says of x, if that is met."""
+        """Return a print of both roots, x_{1,2}, as one of x, if x is among the letters."""
         base, power = self.left.as_base_exp()
         stem = find_stem(name_symbol(str(base)))
         named = next((s for s in letters if name_symbol(str(s)) == stem), base)
         return replace(self, left=named**power)
 
     def find_met(self, given: Mapping[str, sp.Expr], domain: Domain) -> tuple[sp.Basic, str] | None:
-        """Return the letter that is put in, and the first constraint that both values meet."""
+        """Return the letter put in and the name of the first constraint that both values meet."""
         unknown, value = _invert(self.left, self.value, domain)
         alone = replace(domain, given={s: v for s, v in domain.given.items() if s != unknown})
         where = (*domain.where, *_list_conditions(alone.resolve(self.value)))
@@ -180,29 +181,29 @@ class Solutions:
         return None
 
     def _has_each(self, unknown: sp.Basic, residual: sp.Expr) -> bool:
-        """Return whether a residual cannot tell the two roots of a letter's printed power apart."""
+        """Return whether a residual is the same for both roots of a letter's printed power."""
         is_power = self.left.is_Pow and self.left.base == unknown
         return not is_power or sp.expand(residual - residual.xreplace({unknown: -unknown})) == 0
 
     def find_misprint(
         self, given: Sequence[sp.Expr], domain: Domain, printed: Collection[sp.Basic]
     ) -> Misprint | None:
-        """Return a change of the print with which it has one of its values beside constraints."""
+        """Return a change of the print with which one of its values satisfies the constraints."""
 
         def state(sides: Sides) -> Sides:
             says = Solutions(*sides).state(domain.dimensions)
             return says.printed, says.rebuilt
 
         entry = PrintedSides((self.left, self.value), (not self.left.is_Symbol, True))
-        # A print is mended if it then solves its constraint, so repeating that is no objection.
+        # A mended print solves its constraint, so repeating the constraint is no objection.
         return find_misprint(entry, given, domain, printed, state=state)
 
     def name_half(self, value: sp.Expr) -> Solutions:
-        """Return what is said of a value of one of the letters whose power is printed."""
+        """Return the print as a statement about `value`, that of one of two letters, x_1 or x_2."""
         return replace(self, left=value ** self.left.as_base_exp()[1])
 
     def is_met(self, domain: Domain) -> bool:
-        """Return whether one of the values is printed on the other side."""
+        """Return whether the left side is one of the values."""
         conditions = _list_conditions(domain.resolve(self.left))
         where = (*domain.where, *conditions)
         says = self.state(domain.dimensions)
@@ -210,7 +211,7 @@ class Solutions:
 
 
 def _invert(left: sp.Expr, value: sp.Expr, domain: Domain) -> tuple[sp.Basic, sp.Expr]:
-    """Return the letter whose fraction has a printed tangent, or its square, and its value."""
+    """Return the letter, and its value, whose square or whose fraction's tangent is printed."""
     known = domain.given.get(left, left)
     if isinstance(known, sp.Pow) and known.base.is_Symbol and known.exp == 2:
         return known.base, sp.sqrt(value)
@@ -227,7 +228,7 @@ def _choose(value: sp.Expr) -> list[sp.Expr]:
 
 
 def _list_conditions(value: sp.Expr) -> Iterator[sp.Basic]:
-    """Yield the conditions under which roots are real and divisors not zero."""
+    """Yield the conditions under which roots are real and divisors are not zero."""
     for power in value.atoms(sp.Pow):
         if power.exp.is_number and not power.exp.is_integer:
             yield sp.Ge(power.base, 0)

@@ -1,10 +1,10 @@
-"""Points at which constraints hold together: of constraints without any, everything follows.
+"""Points at which constraints hold together: if there is none, everything follows from them.
 
-Newton's method, with the least step where there are more letters than constraints, starts where
-letters that may be anything are positive and small, as lengths and angles are, or angles negative,
-and then at other points of the domain. A point is found where its steps become small and the
-domain allows it. That there is one nearby is proved by Krawczyk's test (1969): letters are fixed,
-as many others as there are constraints are enclosed.
+Newton's method, with the least step if there are more letters than constraints, starts where
+unrestricted letters are positive and small, as lengths and angles are, or where angles are
+negative, and then at other points of the domain. A point is found if the steps become small and
+the domain allows it. Krawczyk's test (1969) proves that there is one nearby: it encloses as many
+letters as there are constraints, with the other letters fixed.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _DEPENDENT = 1e-11
 _NEAR = 1e-9
 _SMALL = mpmath.mpf(10) ** -20
 _BITS = 192
-# Radius around a point within which a zero is looked for.
+# Radius around a point within which a zero is sought.
 _RADIUS = arb(2) ** -40
 _TINY = arb(2) ** -64
 _POSITIVE = sp.Interval.open(0, sp.Rational(3, 2))
 _NEGATIVE = sp.Interval.open(-sp.Rational(3, 2), 0)
-# Errors at places where something is divided by zero, has no real value, or is unknown to mpmath;
-# such a place is no witness.
+# Errors where something is divided by zero, has no real value, or is unknown to mpmath; such a
+# place is no witness.
 _NONE = (
     np.linalg.LinAlgError,
     ArithmeticError,
@@ -58,7 +58,7 @@ Point = dict[sp.Basic, sp.Expr]
 def hold_together(
     residuals: Sequence[sp.Expr], domain: Domain, divisors: Sequence[sp.Expr] = ()
 ) -> bool:
-    """Return whether a point is found at which all residuals are zero, and no divisor is."""
+    """Return whether a point is found at which all residuals are zero and no divisor is."""
     letters = {s for one in (*residuals, *divisors) for s in one.free_symbols}
     return any(
         all(abs(one.xreplace(point).evalf()) > _NEAR for one in divisors)
@@ -69,10 +69,10 @@ def hold_together(
 def find_points(
     residuals: Sequence[sp.Expr], letters: set[sp.Basic], domain: Domain, count: int
 ) -> Iterator[Point]:
-    """Yield points of letters at which all residuals are zero, to many digits.
+    """Yield points of `letters` at which all residuals are zero, to many digits.
 
-    `count` starts of either kind are tried. No point is found where slopes cannot be computed:
-    those of a floor, of a limit, or of a sum by its bound.
+    `count` starts with small letters and `count` others are tried. No point is found if slopes
+    cannot be computed: those of a floor, of a limit, or of a sum by its bound.
     """
     symbols = sorted(letters, key=str)
     slopes = _differentiate(residuals, symbols).tolist() if residuals and symbols else []
@@ -92,7 +92,7 @@ def find_points(
 
 
 def _differentiate(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Basic]) -> sp.Matrix:
-    """Return the slopes of residuals; a letter that counts has none, so that it keeps its value."""
+    """Return the slopes of residuals; zero for integer letters, so that they keep their values."""
     values = [take_values(one) for one in residuals]
     return sp.Matrix([[0 if s.is_integer else one.diff(s) for s in symbols] for one in values])
 
@@ -100,7 +100,7 @@ def _differentiate(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Basic]) ->
 def _list_starts(
     residuals: Sequence[sp.Expr], symbols: list[sp.Basic], domain: Domain, count: int
 ) -> Iterator[Point]:
-    """Yield points with small letters, every other one with angles below zero, then any points."""
+    """Yield points with small letters, every other one with negative angles, then any points."""
     within = {s: _POSITIVE if v == sp.S.Reals else v for s, v in domain.within.items()}
     turning = {s for one in residuals for f in one.atoms(*TURNING) for s in f.free_symbols}
     turned = {s: _NEGATIVE if s in turning and v == _POSITIVE else v for s, v in within.items()}
@@ -118,9 +118,9 @@ def _draw(domain: Domain, symbols: list[sp.Basic], count: int) -> list[Point]:
 
 
 def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.Ball] | None:
-    """Return balls around a point in which a point lies at which all residuals are zero.
+    """Return balls around a point that contain a point at which all residuals are zero.
 
-    None if that is not shown. The balls of residuals that depend on others contain zero there.
+    None if this is not shown. Dependent residuals are only checked to have zero in their balls.
     """
     with balls.working_precision(_BITS):
         values = {s: balls.to_ball(value) for s, value in point.items()}
@@ -137,7 +137,7 @@ def enclose(residuals: Sequence[sp.Expr], point: Point) -> dict[sp.Basic, balls.
 def _choose(
     slopes: sp.Matrix, values: Mapping[sp.Basic, balls.Ball]
 ) -> tuple[list[int], list[int]]:
-    """Return the rows that depend on no others, and columns with large pivots of theirs."""
+    """Return independent rows, and the columns of their largest pivots."""
     left = [[_enclose(slope, values).mid() for slope in row] for row in slopes.tolist()]
     rows, columns = [], []
     for number, row in enumerate(left):
@@ -159,7 +159,7 @@ def _test(
     unknown: Sequence[sp.Basic],
     values: Mapping[sp.Basic, balls.Ball],
 ) -> dict[sp.Basic, balls.Ball] | None:
-    """Return balls of the unknown and the values of the others, if Krawczyk's test is passed."""
+    """Return balls of the unknowns and values of the other letters if Krawczyk's test passes."""
     if not unknown:
         return {**values}
     around = {**values, **{s: values[s] + arb(0, _RADIUS) for s in unknown}}
@@ -186,10 +186,10 @@ def _enclose(expression: sp.Expr, values: Mapping[sp.Basic, balls.Ball]) -> ball
 
 
 def _find_zero(systems: Sequence[System], start: Sequence[sp.Expr]) -> Vector | None:
-    """Return the zero that Newton's steps lead to, None if they lead to none.
+    """Return the zero that Newton's steps lead to, or None if they lead to none.
 
-    Where doubles come near to one, what is left is a matter of few steps with many digits; what
-    doubles cannot hold is begun with these.
+    Doubles come near to a zero first, so that few steps with many digits remain; starts that
+    doubles cannot hold begin with many digits.
     """
     doubles, digits = systems
     place = [mpmath.mpf(sp.N(value, _DIGITS)) for value in start]
@@ -204,7 +204,7 @@ def _find_zero(systems: Sequence[System], start: Sequence[sp.Expr]) -> Vector | 
 
 
 def _descend(system: System, place: Vector, small: float) -> Vector | None:
-    """Return where Newton's steps and the residuals become small, None if they do not."""
+    """Return where Newton's steps and the residuals become small, or None if they do not."""
     for _ in range(_STEPS):
         values, slopes = system(*place)
         step = _solve(slopes, values)
@@ -215,11 +215,11 @@ def _descend(system: System, place: Vector, small: float) -> Vector | None:
 
 
 def _solve(slopes: Sequence[Vector], values: Vector) -> list[float]:
-    """Return the least solution of linear equations, of dependent ones the best, to 16 digits."""
+    """Return the least solution of linear equations, or least-squares solution, to 16 digits."""
     left, right = (np.array(side, dtype=float) for side in (slopes, values))
     if not (np.isfinite(left).all() and np.isfinite(right).all()):
         raise ArithmeticError("no finite slopes")
-    # Python's floats, as a division by zero must raise an error.
+    # Python floats are returned, as a division by zero must raise an error.
     found: list[float] = np.linalg.lstsq(left, right, rcond=_DEPENDENT)[0].tolist()
     return found
 

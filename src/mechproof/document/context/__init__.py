@@ -1,1 +1,1 @@
-"""Rows beside the others of their paper: which are excused, doubted, or misprints."""
+"""Rows judged in the context of their paper: which are excused, doubted, or misprints."""
