@@ -1,6 +1,6 @@
-"""Rows that may be misprints beside the constraints of their paper, and what contradicts them.
+"""Rows that the constraints of their paper show to be misprints, and what contradicts them.
 
-So are constraints that are false wherever those hold from which further rows follow.
+A constraint from which other rows follow may also accuse a definition that makes it false.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ from mechproof.tools.processes import WorkerError
 
 
 def find_misprints(at: Judging) -> Changes:
-    """Judge what may be a constraint or a misprint.
+    """Judge rows that may be constraints or misprints.
 
-    One that shows only beside another print that may itself be wrong, or be meant for another
-    case, contradicts that print: neither is refuted, unless that print comes first and what
-    follows from it alone accuses the other, too. That it may be meant for another case is ruled
-    out where it comes first and further rows follow from it, and not without it.
+    A row may be false only given another print that may itself be wrong or be meant for another
+    case. Then the two contradict each other and neither is refuted, unless the other print comes
+    first and the rows that follow from it alone accuse this row, too. If the other print comes
+    first and further rows follow from it, but not without it, it is not meant for another case.
     """
     tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
@@ -99,10 +99,11 @@ def find_misprints(at: Judging) -> Changes:
 def _ask_definitions(
     at: Judging, accused: Mapping[int, Judgement]
 ) -> tuple[list[tuple[int, int]], dict[int, int]]:
-    """Return misprints with the definitions that they contradict, and definitions to blame.
+    """Return pairs of a misprint and a contradicting definition, and the definitions to blame.
 
-    These stand later, or before words that turn a sense. A definition is to blame that would have
-    to be changed if further rows follow from what it contradicts.
+    Such a definition is printed later, or words that reverse a sense lie between. It is to blame,
+    mapped to the row it contradicts, if further rows follow from that row and the misprint is in a
+    definition.
     """
     tasks = at.tasks
     later = [(n, m) for n in accused for m in range(n + 1, len(tasks))]
@@ -127,16 +128,17 @@ def _ask_definitions(
 def _accuse(
     at: Judging, asked: Sequence[tuple[int, tuple[int, ...]]]
 ) -> dict[tuple[Any, ...], Judgement]:
-    """Return the rows with constraints beside which they are misprints, with their judgements."""
+    """Return the misprints, keyed by row and constraints that show them, with their judgements."""
     answers = at.ask(judge_misprint, asked)
     return {one: found for one, found in answers if isinstance(found, Judgement)}
 
 
 def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
-    """Return whether a constraint may be said of a special position that is no matter of a row.
+    """Return whether a constraint may describe a special position that does not concern a row.
 
-    That is so if it is announced as another case, if words between them reverse a sense, or if it
-    comes later and is an equation such as a = b + pi.
+    It may if it is announced as another case, if words between the two reverse a sense, if it is a
+    print of both roots, or if it is an equation such as a = b + pi that comes later or is announced
+    as equating letters.
     """
     may_equate = other > number or tasks[other].said.is_equating
     is_other = tasks[other].is_case or is_turned(tasks[other], tasks[number])
@@ -145,7 +147,7 @@ def _may_be_special(tasks: Sequence[Task], number: int, other: int) -> bool:
 
 
 def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
-    """Return constraints that are needed for a row which is shown to follow."""
+    """Return the constraints without which some row that is shown to follow no longer does."""
     given = [n for n, task in enumerate(at.tasks) if is_constraint(task, at.rows[n])]
     judged = ((n, row.judgement) for n, row in at.rows.items())
     following = [n for n, found in judged if found and found.rung in FOLLOWING]
@@ -158,7 +160,7 @@ def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
 
 
 def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
-    """Judge a definition to be wrong, as an equation shows from which further rows follow."""
+    """Judge a definition wrong that contradicts an equation from which further rows follow."""
     reason = f"it contradicts {name}, from which further rows follow: {found.reason}"
     if row.judgement is None:
         return reason
@@ -167,10 +169,10 @@ def _charge(row: CheckedRow, found: Judgement, name: str) -> Judgement | str:
 
 
 def _list_later(at: Judging, accused: Collection[int]) -> Iterator[tuple[int, int]]:
-    """Yield rows that are accused, with what defines their letters after them.
+    """Yield accused rows, each with a later row that defines one of its letters.
 
-    A sentence behind a display that says what its letters mean is no print of its own, and what is
-    proved is as right as what is printed before it.
+    A clause after a display that only explains its letters is no print of its own, and a proved row
+    is as right as what is printed before it.
     """
     tasks = at.tasks
     for n in accused:
@@ -197,10 +199,11 @@ def _list_moving(task: Task) -> set[sp.Basic]:
 
 
 def doubt_by_proved(at: Judging) -> Changes:
-    """Take no row as given that is one with a slip, false beside what others follow from.
+    """Leave open a row that is false given constraints that prove others, and has a one-part slip.
 
-    Several such rows hide one another, so those are left out from which nothing follows. One from
-    which others follow is a slip only beside constraints before it that have all its letters.
+    Several such rows hide one another, so rows from which nothing follows are not used as
+    constraints. A row from which others follow counts as a slip only given earlier constraints that
+    have all its letters.
     """
     tasks, rows = at.tasks, at.rows
     proved = tuple(n for n, row in rows.items() if row.outcome == Verdict.PROVED.value)

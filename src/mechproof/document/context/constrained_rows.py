@@ -1,4 +1,4 @@
-"""Rows beside the constraints of their paper: what follows, what is excused, what is a misprint."""
+"""Rows judged by the constraints of their paper: what follows, and what constraints excuse."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ from mechproof.record import Conjunction, Equality
 
 # Rung of a step of a chain that is taken as a constraint, as further rows follow from it.
 SUPPORTED = "constraint"
-# Verdicts of rows that are not proved by themselves, and are tried beside constraints.
+# Verdicts of rows that are not proved on their own, and are tried with constraints.
 _UNPROVED = (Verdict.DEFINITION, Verdict.UNDECIDED, Verdict.ENCLOSED)
 
 
 def follow_from_constraints(at: Judging) -> Changes:
-    """Judge again what is not shown to hold by itself: it may follow from constraints before it.
+    """Judge rows again that are not proved on their own: they may follow from earlier constraints.
 
-    A step of a chain may be one, i=n_1/n_2=z_2/z_1. What differs from a definition, but may be
-    another case of it, may follow, too, and so may what is said to be an identity and is none.
+    A step of a chain may be such a row, i=n_1/n_2=z_2/z_1; so may a print that differs from a
+    definition but may be another case of it, or a claimed identity that does not hold on its own.
     """
     asked, proved = _ask_what_follows(at), set[int]()
     while asked:
@@ -53,7 +53,7 @@ def follow_from_constraints(at: Judging) -> Changes:
 
 
 def _ask_what_follows(at: Judging) -> dict[int, tuple[int, ...]]:
-    """Return the rows that are not shown to hold by themselves, and constraints before each."""
+    """Return the rows that are not proved on their own, with the constraints before each."""
     tasks, rows, asked = at.tasks, at.rows, {}
     given = [n for n, task in enumerate(tasks) if _may_be_premise(task, rows[n])]
     for n, task in enumerate(tasks):
@@ -67,7 +67,7 @@ def _ask_what_follows(at: Judging) -> dict[int, tuple[int, ...]]:
 
 
 def _follow(at: Judging, asked: Mapping[int, tuple[int, ...]]) -> Changes:
-    """Judge rows by constraints, or say of which it was not shown that a constraint follows."""
+    """Judge rows by constraints; name those from which a new constraint was not shown to follow."""
     for (n, given), found in at.ask(judge_beside, [*asked.items()]):
         task, alone = at.tasks[n], at.rows[n].judgement
         if isinstance(found, Judgement):
@@ -93,7 +93,7 @@ def support_steps(at: Judging) -> Changes:
 
 
 def list_following(number: int, at: Judging) -> Iterator[int]:
-    """Yield the rows that follow from a row, as they say."""
+    """Yield the rows whose reasons say that they follow from a row."""
     for n, row in at.rows.items():
         is_shown = row.judgement is not None and row.judgement.rung in FOLLOWING
         if is_shown and at.tasks[number].row.number in row.reason:
@@ -101,7 +101,7 @@ def list_following(number: int, at: Judging) -> Iterator[int]:
 
 
 def _list_alike(task: Task, given: Sequence[Task]) -> str:
-    """Return the names of constraints that have all letters of another, none for other rows."""
+    """Return the names of constraints that have all letters of a constraint; "" for other rows."""
     letters = {letter for one in given for letter in list_letters(one)}
     is_printed = task.sign.role is Role.CONSTRAINT and not task.sign.is_tied
     is_bound = is_printed and list_letters(task) <= letters
@@ -109,9 +109,10 @@ def _list_alike(task: Task, given: Sequence[Task]) -> str:
 
 
 def excuse_by_constraints(at: Judging) -> Changes:
-    """Judge again two sides that were said to be equal and are not: constraints may make them so.
+    """Judge two sides again that were claimed equal and are not: constraints may make them so.
 
-    Without any that have letters of theirs, and no letter of their own, they are not asked.
+    Only rows that share letters with a constraint are judged again, and constraints that a letter
+    of their own can always satisfy are ignored.
     """
     tasks, rows = at.tasks, at.rows
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
@@ -135,9 +136,9 @@ def _have_common(one: Task, other: Task) -> bool:
 
 
 def solve_constraints(at: Judging) -> Changes:
-    """Judge again what is printed with a double sign: both may be roots of what is said before.
+    """Judge prints with a double sign again: both values may be roots of earlier constraints.
 
-    Of a constraint behind it, too, if no words between say anything new; of two such prints the
+    A later constraint counts, too, if no words in between say anything new; of two such prints the
     first does not rest on the second.
     """
     tasks, rows = at.tasks, at.rows
@@ -151,9 +152,9 @@ def solve_constraints(at: Judging) -> Changes:
 
 
 def _judge_halves(at: Judging) -> Changes:
-    """Judge what introduces one of two letters that are printed at once, x_{1,2}, before.
+    """Judge definitions of one of two letters that were printed together before, x_{1,2}.
 
-    The ties of the two letters are left open where that print is refuted.
+    The ties of the two letters are left open if the joint print is refuted.
     """
     tasks, asked = at.tasks, dict[int, int]()
     for n, task in enumerate(tasks):
@@ -172,7 +173,7 @@ def _judge_halves(at: Judging) -> Changes:
 
 
 def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
-    """Return whether the roots in a print with a double sign may be those of a constraint."""
+    """Return whether a constraint may be the one whose roots are printed with a double sign."""
     one, task = tasks[given], tasks[number]
     is_known = given < number or not (one.said.is_new or one.sign.role is Role.SOLUTIONS)
     is_known &= given != number and one.sign.first != task.row.number
@@ -180,10 +181,10 @@ def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
 
 
 def doubt_by_premises(at: Judging) -> Changes:
-    """Leave open what follows only from a row that is refuted, or from several that are contested.
+    """Leave open what follows only from a refuted row, or only from contested rows.
 
-    One of several rows that contradict each other may be right, and none of them defines a letter
-    of the others.
+    One of several rows that contradict each other may be right, provided that the rows it
+    contradicts do not define a letter of it or of what follows.
     """
     tasks, rows = at.tasks, at.rows
     bound = [n for n, task in enumerate(tasks) if binds(task)]
@@ -199,8 +200,8 @@ def doubt_by_premises(at: Judging) -> Changes:
         # A row that follows from a step of a chain names it.
         said = [g for g in doubted if tasks[g].row.number in rows[n].reason]
         doubted = [g for g in doubted if g in said or tasks[g].sign.role is not Role.STEP]
-        # A constraint that is itself proved may rest on these. One that follows by its square says
-        # which root is meant.
+        # A proved constraint may itself rest on the doubted rows. A row that follows by its
+        # square says which root is meant.
         squares = {g for g in given if (row := rows[g].judgement) and row.rung == SQUARE}
         certain = tuple(g for g in given if g in squares or is_constraint(tasks[g], rows[g]))
         rivals = {g: _list_denied(n, g, defining, at) for g in doubted if g in contested}
@@ -217,7 +218,7 @@ def doubt_by_premises(at: Judging) -> Changes:
 def _list_denied(
     number: int, given: int, defining: Sequence[Task], at: Judging
 ) -> frozenset[sp.Basic]:
-    """List letters of a row and its premise with definitions that the premise contradicts."""
+    """List the letters of a row and its premise whose definitions the premise contradicts."""
     used = set[sp.Basic]().union(*(list_used(at.tasks[n], at.tasks) for n in (number, given)))
     names = at.rows[given].reason.partition(CONTRADICTING)[0]
     denied = (one for one in defining if one.row.number in names and defines(one, used))
@@ -225,12 +226,12 @@ def _list_denied(
 
 
 def is_proof(found: object) -> bool:
-    """Return whether a row was shown to follow."""
+    """Return whether an answer proves its row."""
     return isinstance(found, Judgement) and found.verdict is Verdict.PROVED
 
 
 def connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterator[int]:
-    """Yield the constraints that have letters of a row, or of others of them."""
+    """Yield constraints that share letters with a row, directly or through other constraints."""
     letters, left = list_letters(tasks[number]), [g for g in given if g != number]
     while tied := [g for g in left if list_letters(tasks[g]) & letters]:
         yield from tied
@@ -239,7 +240,10 @@ def connect(number: int, given: Sequence[int], tasks: Sequence[Task]) -> Iterato
 
 
 def is_constraint(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is taken as given; a step of a chain if it is said, or others follow."""
+    """Return whether a row is taken as given.
+
+    A step of a chain counts only if the block says so or further rows follow from it.
+    """
     is_supported = row.judgement is not None and row.judgement.rung == SUPPORTED
     is_supported |= task.is_given
     return _may_be_constraint(task, row) and (task.sign.role is not Role.STEP or is_supported)
@@ -263,7 +267,7 @@ def binds(task: Task) -> bool:
 
 
 def _needs_zeros(task: Task) -> bool:
-    r"""Return whether a letter is printed that has to be zero, n=2\pi n: much follows from that."""
+    r"""Return whether a print forces some letter to be zero, n=2\pi n: much follows from that."""
     if task.sign.letter is None or any(side == 0 for side in task.sign.sides):
         return False
     rest = sp.factor_terms(task.residual)

@@ -1,9 +1,9 @@
-"""Rows that rest on letters whose definition may be wrong, is of a case, or is printed later.
+"""Rows that rest on letters whose definition may be wrong, belong to a case, or come later.
 
-What is true or false whatever those letters are rests on no definition of them. Nor is what holds
-at what a worked example says of letters proved or refuted where it may not belong to it: where an
-example ends words do not always tell. Letters that nobody declared and that may be matrices commute
-if they are taken as numbers, and have no other inverse than one over them.
+A row that is true or false whatever those letters are does not rest on their definitions. A row
+that may not belong to a worked example is not proved or refuted by the values printed there, as
+words do not always show where an example ends. Undeclared letters that may be matrices are read
+as numbers, which commute and have 1/x as their only inverse.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ _OPEN = (Verdict.UNDECIDED.value, Verdict.ENCLOSED.value)
 
 
 def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Changes:
-    """Refute no row by a letter whose definition may be wrong, or said of a case only.
+    """Refute no row by a letter whose definition may be wrong or may hold in one case only.
 
-    A definition that is printed later may be of a case; no condition is proved by one, either. What
-    such definitions leave undecided, or put other letters into, may be decided without them.
-    `contested` are the misprints, and the rows that contradict each other.
+    A definition that is printed later may belong to another case, so no condition is proved by one,
+    either. Rows that such definitions leave undecided, or give other letters, may be decided
+    without them. `contested` has the misprints and the rows that contradict each other.
     """
     tasks, rows = at.tasks, at.rows
     doubted = [*_list_doubted(at, contested)]
@@ -67,7 +67,7 @@ def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Change
 
 
 def _list_doubted(at: Judging, contested: Mapping[int, CheckedRow]) -> Iterator[Task]:
-    """Yield definitions that are refuted, or that may be wrong."""
+    """Yield definitions that are refuted, ill-formed, or may be wrong."""
     unfit = {n: row for n, row in at.rows.items() if row.outcome == Verdict.ILL_FORMED.value}
     for n, row in sorted({**contested, **unfit}.items()):
         is_wrong = row.outcome in (Verdict.REFUTED.value, Verdict.ILL_FORMED.value)
@@ -106,23 +106,23 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
 
 
 def _introduces(one: Task, tasks: Sequence[Task]) -> bool:
-    """Return whether a definition is the first print of its letter: later ones are of its case."""
+    """Return whether a definition is its letter's first print; later ones then share its case."""
     return all(one.sign.letter not in list_printed(other) for other in tasks[: tasks.index(one)])
 
 
 def _list_letters(
     groups: Sequence[tuple[list[Task], str]], symbols: Symbols
 ) -> frozenset[sp.Basic]:
-    """Return the letters that definitions give, with their derivatives."""
+    """Return the letters that groups of definitions define, with their derivatives."""
     letters = {one.sign.letter for used, _ in groups for one in used}
     steps = ((s, symbols.find_steps(s)[1]) for s in letters if s is not None)
     return frozenset(rate for s, rates in steps for rate in rates[rates.index(s) :])
 
 
 def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:
-    """Return whether a definition says of a letter what it is by a letter that a row lacks.
+    """Return whether a definition gives its letter in terms of a letter that a row lacks.
 
-    The row is about any value of it, then, and rests in nothing on the definition.
+    Then the row is about any value of the letter, and does not rest on the definition.
     """
     others = [other for other in tasks if other is not one]
     bound = {s for other in others if other.sign.role in CONSTRAINING for s in list_printed(other)}
@@ -131,7 +131,7 @@ def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:
 
 
 def doubt_by_examples(at: Judging) -> Changes:
-    """Leave open what holds in an example only; in one also what is not decided there."""
+    """Leave open refuted or differing rows that hold, or in an example may hold, at its values."""
     asked = [(n, "local") for n, task in enumerate(at.tasks) if _may_be_local(task, at.rows[n])]
     for (n, _), answer in at.ask(judge_special, asked):
         task = at.tasks[n]
@@ -145,14 +145,14 @@ def doubt_by_examples(at: Judging) -> Changes:
 
 
 def _may_be_local(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row that is not shown says something else in an example."""
+    """Return whether an unproved row says something else at the values of an example."""
     is_open = row.state is State.NOT_JUDGED and task.sign.role in COMPARED
     is_open |= row.outcome == Verdict.REFUTED.value
     return is_open and task.local is not None and task.local.row.says != task.row.says
 
 
 def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
-    """Neither prove nor refute what rests on letters that are `shown` as matrices are."""
+    """Neither prove nor refute rows with letters that are `shown` the way matrices are."""
     for n, task in enumerate(at.tasks):
         outcome = at.rows[n].outcome
         if outcome not in (Verdict.PROVED.value, Verdict.REFUTED.value) or not shown:
@@ -171,7 +171,7 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
 
 
 def doubt_by_rounded(at: Judging) -> Changes:
-    """Accuse no matrix that differs little from what letters with rounded decimals give."""
+    """Leave open a refuted matrix that differs little from one with rounded decimals."""
     rounded = [one for one in at.tasks if one.is_rounded or one.sign.is_calculated]
     for n, task in enumerate(at.tasks):
         if at.rows[n].outcome != Verdict.REFUTED.value or not rounded:
@@ -184,7 +184,7 @@ def doubt_by_rounded(at: Judging) -> Changes:
 
 
 def _differ_little(task: Task) -> bool:
-    """Return whether the factors in a difference are small beside those of the sides."""
+    """Return whether the coefficients of a difference are small compared with those of a side."""
     says = task.row.says
     if not isinstance(says, Equality):
         return False
@@ -196,6 +196,6 @@ def _differ_little(task: Task) -> bool:
 
 
 def _find_largest(matrix: sp.MatrixBase) -> Any:
-    """Return the largest factor of a term of an entry."""
+    """Return the largest absolute coefficient of a term of an entry."""
     terms = (sp.expand(entry).as_coefficients_dict() for entry in matrix)
     return max((abs(factor) for one in terms for factor in one.values()), default=0)

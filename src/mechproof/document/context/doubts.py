@@ -1,4 +1,4 @@
-"""Verdicts that are doubted: a definition may be wrong, or of another case, or cases are mixed."""
+"""Doubted verdicts: a definition may be wrong or of another case, or cases may be mixed."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ from mechproof.statement_domains.domain import Domain
 ROUNDING = sp.Rational(1, 100)
 CONTRADICTING = " contradict each other"
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
-# Numbers from 100 on with a prime above 5 may turn units, as 254 does; formulas of strength and
-# stiffness have factors such as 64, 192 or 384.
+# Numbers from 100 up with a prime factor above 5 may convert units, as 254 does; formulas of
+# strength and stiffness have factors such as 64, 192 or 384.
 _LARGE, _PRIME = 100, 5
 
 
 def find_contradictions(at: Judging) -> Changes:
-    """Accuse neither what is never true beside a definition after it, nor that definition.
+    """Leave open a row that contradicts a later definition of its letters, and that definition.
 
-    The same is true of any definition, if words before the row announce no consequence, or turn a
+    An earlier definition counts, too, if words in front of the row say something new or reverse a
     sense.
     """
     for n, task in enumerate(at.tasks):
@@ -49,10 +49,11 @@ def find_contradictions(at: Judging) -> Changes:
 
 
 def find_other_solutions(at: Judging) -> Changes:
-    """Leave open a constraint, and what is printed behind it of one of its letters by all others.
+    """Leave open a constraint and a later definition of one of its letters by all the others.
 
-    That is its solution, or one of both is wrong: together they would tie the others. One that says
-    beside what is printed before it that a letter is zero may be of another case.
+    The definition is its solution, or one of the two is wrong: together they would tie the other
+    letters. A constraint that makes a letter zero although an earlier definition gives it a value
+    may be of another case.
     """
     for n, task in enumerate(at.tasks):
         is_given = at.rows[n].outcome == Verdict.DEFINITION.value
@@ -78,7 +79,7 @@ def find_other_solutions(at: Judging) -> Changes:
 
 
 def _solve(rest: sp.Expr, letter: sp.Basic, at: Judging) -> dict[sp.Basic, sp.Expr | None]:
-    """Return the value that a linear equation gives a letter; its derivatives are unknown then."""
+    """Return the value that a linear equation gives a letter; its derivatives are then unknown."""
     above = sp.Poly(sp.fraction(sp.together(rest))[0], letter)
     _, steps = at.symbols.find_steps(letter)
     value = -above.coeff_monomial(1) / above.coeff_monomial(letter)
@@ -92,7 +93,7 @@ def _says_zero(residual: sp.Expr) -> bool:
 
 
 def doubt_by_indices(at: Judging) -> Changes:
-    """Accuse no equation of members of families for each index, which nothing binds."""
+    """Leave open an ill-formed equation between members of families whose index nothing binds."""
     for n, task in enumerate(at.tasks):
         if at.rows[n].outcome == Verdict.ILL_FORMED.value and (free := _list_indices(task)):
             names = ", ".join(sorted(map(str, free)))
@@ -101,7 +102,7 @@ def doubt_by_indices(at: Judging) -> Changes:
 
 
 def _list_indices(task: Task) -> set[sp.Basic]:
-    """List the letters of indices on both sides that are no letters of the paper."""
+    """Return the letters of indices on both sides that are not letters of the paper."""
     says = task.row.says
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     sides = (says.printed, says.symbol) if isinstance(says, Definition) else sides
@@ -121,7 +122,7 @@ def _list_indices(task: Task) -> set[sp.Basic]:
 
 
 def doubt_by_decimals(at: Judging) -> Changes:
-    """Accuse no exact print that differs little from one before it that has a rounded decimal."""
+    """Leave open an exact print that differs little from an earlier one with a rounded decimal."""
     rounded = {task.row.number for task in at.tasks if task.is_rounded}
     for n, task in enumerate(at.tasks):
         says, first = task.row.says, task.sign.first
@@ -138,7 +139,7 @@ def doubt_by_decimals(at: Judging) -> Changes:
 
 
 def doubt_by_rates(at: Judging) -> Changes:
-    """Refute no derivative that is printed anew behind words that say something new."""
+    """Leave open a refuted derivative printed again after words that say something new."""
     rates = [n for n, task in enumerate(at.tasks) if task.sign.role is Role.DERIVATIVE]
     for n in rates:
         task = at.tasks[n]
@@ -160,7 +161,7 @@ def doubt_by_rates(at: Judging) -> Changes:
 
 
 def doubt_conditions(at: Judging) -> Changes:
-    """Refute no condition of a case, which may lie where the letters of the paper do not."""
+    """Leave open a refuted condition of a case, which may hold outside the letters' domain."""
     for n, task in enumerate(at.tasks):
         if task.sign.role is Role.RELATION and task.said.is_case and _is_refuted(at.rows[n]):
             reason = "it is never true where the letters lie: is it the condition of another case?"
@@ -168,7 +169,7 @@ def doubt_conditions(at: Judging) -> Changes:
 
 
 def doubt_by_factors(at: Judging) -> Changes:
-    """Accuse no equation of its dimensions if a number of it may turn units, as 254 does.
+    """Leave an equation's dimensions open if one of its numbers may convert units, as 254 does.
 
     In an equation of numerical values, letters are numbers in units of their own.
     """
@@ -183,14 +184,14 @@ def doubt_by_factors(at: Judging) -> Changes:
 
 
 def _is_odd(number: str) -> bool:
-    """Return whether a number is a decimal, or of three digits and more with a prime beyond 5."""
+    """Return whether a number is a decimal, or at least 100 with a prime factor above 5."""
     if not number.isdigit():
         return True
     return int(number) >= _LARGE and max(sp.primefactors(int(number))) > _PRIME
 
 
 def doubt_by_positions(at: Judging) -> Changes:
-    """Prove no row by definitions that are said of several positions, unless it needs none."""
+    """Leave open a row proved by definitions for several positions, unless it needs none."""
     placed = [one for one in at.tasks if one.said.is_position and one.sign.role is Role.DEFINITION]
     for n, task in enumerate(at.tasks):
         is_proved = at.rows[n].outcome == Verdict.PROVED.value
@@ -203,7 +204,7 @@ def doubt_by_positions(at: Judging) -> Changes:
 
 
 def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
-    """Leave open what rests on a letter that an equation between, not read, may define anew."""
+    """Leave open a row if an unread equation in between may redefine one of its letters."""
     unread = _list_unread(found)
     for n, task in enumerate(at.tasks):
         is_certain = at.rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
@@ -219,7 +220,7 @@ def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
 
 
 def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
-    """List unread equations: how many rows stand before each, and its left side."""
+    """List unread equations: the number of rows before each, its left side's name, and itself."""
     unread, place = [], 0
     for one in found:
         if isinstance(one, Task):
@@ -230,7 +231,7 @@ def _list_unread(found: Sequence[Task | Left]) -> list[tuple[int, str, Left]]:
 
 
 def _name_plain(latex: str) -> str:
-    """Return the name of a letter; what looks like one of another alphabet may be meant for it."""
+    """Return a letter's name; a look-alike from another alphabet counts as the same letter."""
     return name_symbol(write_plain(latex))
 
 
@@ -239,19 +240,19 @@ def _is_refuted(row: CheckedRow) -> bool:
 
 
 def list_printed(task: Task) -> set[sp.Basic]:
-    """Return the letters that stand on the sides of a row."""
+    """Return the letters that occur on the sides of a row."""
     says = task.row.says
     sides = (says.symbol, says.printed) if isinstance(says, Definition) else task.sign.sides
     return {s for side in sides for s in getattr(side, "free_symbols", ())}
 
 
 def list_used(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
-    """Return the letters of a row, and of what defines them."""
+    """Return the letters of a row and, repeatedly, of the definitions of its letters."""
     return reach(list_printed(task) | task.sign.printed, tasks)
 
 
 def reach(letters: Collection[sp.Basic], tasks: Sequence[Task]) -> set[sp.Basic]:
-    """Return letters, and those of what defines them."""
+    """Return letters with those of their definitions, repeatedly."""
     letters, before = {*letters}, set[sp.Basic]()
     while letters != before:
         before = letters
@@ -260,7 +261,7 @@ def reach(letters: Collection[sp.Basic], tasks: Sequence[Task]) -> set[sp.Basic]
 
 
 def list_compared(task: Task, tasks: Sequence[Task]) -> set[sp.Basic]:
-    """Return the letters of a row, and of what it is compared with."""
+    """Return the letters used by a row and by the row that it is compared with."""
     compared = [one for one in tasks if one.row.number == task.sign.first]
     return set[sp.Basic]().union(*(list_used(one, tasks) for one in (task, *compared)))
 
@@ -271,7 +272,7 @@ def defines(task: Task, letters: Collection[sp.Basic]) -> bool:
 
 
 def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
-    """Return whether a row defines one of some letters behind words that may tell of a case."""
+    """Return whether a row defines one of `used` after words that may announce a case."""
     said = one.said
     may_tell = said.is_new and (said.is_case or said.is_equating)
     is_behind = said.passage > task.said.passage and not said.is_clause
@@ -279,13 +280,13 @@ def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
 
 
 def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
-    """Return whether a row defines one of some letters in a case, and all are spoken of since."""
+    """Return whether a row defines one of `used` in a case that the text has since left."""
     is_before = one.said.passage < task.said.general
     return defines(one, used) and ((one.said.is_equating and is_before) or is_left(one, task))
 
 
 def tell_contradiction(names: str) -> str:
-    """Say that a row and others cannot both be true of one case."""
+    """Return the reason why a row and others cannot all be true of one case."""
     return f"it and {names}{CONTRADICTING}: one is wrong, or of another case"
 
 

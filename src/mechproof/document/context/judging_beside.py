@@ -1,4 +1,4 @@
-"""Rows beside the constraints of their paper, as worker processes judge them."""
+"""Judge rows by the constraints of their paper, in worker processes."""
 
 from __future__ import annotations
 
@@ -43,9 +43,9 @@ def judge_beside(
     others: Sequence[int],
     letters: frozenset[sp.Basic] = frozenset(),
 ) -> Judgement | None:
-    """Judge by the constraints before it what may follow from them; None if that is not shown.
+    """Judge a row by the constraints before it; None if it is not shown to follow.
 
-    Some letters are as they are printed, whatever defines them.
+    `letters` are kept as printed, whatever defines them.
     """
     before = [tasks[other] for other in list_applicable(others, number, tasks)]
     answer = None
@@ -64,7 +64,7 @@ def judge_beside(
 def _find_consequence_of_entries(
     entries: Sequence[Task], given: Sequence[Task]
 ) -> tuple[Verdict, str, str] | None:
-    """Judge an equation by constraints, or one of matrices, each entry of which has to follow."""
+    """Judge one equation, or all entries of an equation of matrices, by constraints."""
     if len(entries) == 1:
         (one,) = entries
         known = [*state_at(given, one)] if one.residual is not None else []
@@ -78,7 +78,7 @@ def _find_consequence_of_entries(
         found = find_consequence(one, [*state_at(given, one)])
         if not found or found[0] is not Verdict.PROVED:
             return None
-        # What an entry is multiplied by is left out; which constraints it follows from is not.
+        # The multiplier of an entry is left out of the reason; the constraint's name is kept.
         reasons[found[2].partition(":")[0] if found[1] == MULTIPLE else found[2]] = None
         rung = rung if found[1] == MULTIPLE else COMBINATION
     said = f"each entry that differs {'; '.join(reasons)}"
@@ -86,7 +86,7 @@ def _find_consequence_of_entries(
 
 
 def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
-    """Judge beside all constraints what is not true by itself, or say which may make it true."""
+    """Judge by all constraints what is not true on its own, or name those that may make it true."""
     task, found = tasks[number], judge_beside(tasks, number, others)
     if found and found.verdict is Verdict.PROVED:
         return found
@@ -106,7 +106,7 @@ def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> 
 
 
 def judge_misprint(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | None:
-    """Judge what may be a constraint or a misprint beside the constraints: None if not refuted."""
+    """Judge whether a possible constraint is a misprint, given constraints; None if not refuted."""
     found = _find_misprint(tasks, number, others, may_repeat=False)
     if found is None:
         return None
@@ -118,9 +118,10 @@ def judge_misprint(tasks: Sequence[Task], number: int, others: Sequence[int]) ->
 def tell_misprint(
     tasks: Sequence[Task], number: int, others: Sequence[int], proved: Sequence[int]
 ) -> str:
-    """Say what a row may be meant to be beside constraints, also if that is printed elsewhere.
+    """Return what a row may be meant to say given constraints, even if that is printed elsewhere.
 
-    Rows that are proved are told of which it is one with a slip; nothing of what may be true.
+    If the mended row is one of the `proved` rows, that one is named. Returns "" if nothing mends
+    it.
     """
     found = _find_misprint(tasks, number, others, may_repeat=True)
     if found is None:
@@ -142,9 +143,9 @@ def _is_multiple(rest: sp.Expr, residual: sp.Expr | None) -> bool:
 
 
 def _becomes_one(found: Misprint, later: Sequence[Task], domain: Domain) -> bool:
-    """Return whether a mended print is one that stands later, times powers of its letters.
+    """Return whether a mended print is a later one times powers of its letters.
 
-    Which of the two is wrong is open then.
+    In that case it is open which of the two is wrong.
     """
     one, other = map(domain.resolve, found.change.sides)
     rest = one - other
@@ -162,7 +163,7 @@ def _find_misprint(
     tasks: Sequence[Task], number: int, others: Sequence[int], *, may_repeat: bool
 ) -> tuple[Task, Misprint, str] | None:
     """Return a row that may be a misprint, what mends it, and what it is compared with."""
-    # What is said of one case does not accuse what is said of all.
+    # A statement about one case does not accuse a statement about all cases.
     task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
     try:
         domain = Domain.of(task.paper, task.row.on)
@@ -195,12 +196,12 @@ def _find_misprint(
 
 
 def _is_another(task: Task) -> bool:
-    """Return whether a row is an equation of its own: no other case, nor the roots of one."""
+    """Return whether a row is an equation of its own: neither another case nor a print of roots."""
     return not (task.is_case or task.sign.role is Role.SOLUTIONS)
 
 
 def _may_hold_at(at: Mapping[sp.Basic, sp.Basic], task: Task, constraints: Sequence[Task]) -> bool:
-    """Return whether a row may hold at values that are said of letters beside one before it."""
+    """Return whether a row may hold at the values that an earlier row's text gives letters."""
     there = replace(task, at={**task.at, **at})
     given = [*_list_given(there, [*state_at(constraints, there)])]
     domain = Domain.of(task.paper, task.row.on)
@@ -213,13 +214,13 @@ def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
 
 
 def _list_accelerations(task: Task) -> set[sp.Basic]:
-    """Return the second derivatives that occur in the second derivative of a row only."""
+    """Return the letters that occur in the second derivative of a row only."""
     first = {s for rate in task.rates[:1] for s in rate.free_symbols} | list_letters(task)
     return {s for rate in task.rates[1:] for s in rate.free_symbols} - first
 
 
 def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | None:
-    """Judge a print with a double sign beside constraints: None if nothing is shown."""
+    """Judge a print with a double sign by constraints; None if nothing is shown."""
     task = tasks[number]
     given = {one.row.number: one.residual for one in state_at([tasks[o] for o in others], task)}
     letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
@@ -237,7 +238,7 @@ def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Ju
 
 
 def judge_half(tasks: Sequence[Task], number: int, pair: int) -> Judgement | None:
-    """Judge what introduces x_1 by what is printed of x_{1,2}: None if nothing is shown."""
+    """Judge the definition of x_1 by the print of x_{1,2}; None if nothing is shown."""
     task, says = tasks[number], tasks[number].row.says
     domain = Domain.of(task.paper, task.row.on)
     if not (isinstance(says, Definition) and isinstance(says.printed, sp.Expr)):
@@ -258,7 +259,7 @@ def judge_half(tasks: Sequence[Task], number: int, pair: int) -> Judgement | Non
 def _replace(
     task: Task, verdict: Verdict, rung: str, reason: str, evidence: tuple[Evidence, ...] = ()
 ) -> Judgement:
-    """Return what a row is judged to be by itself, with another verdict."""
+    """Return the judgement of a row on its own, with its verdict and grounds replaced."""
     alone = judge(task.row, task.paper)
     values = ", ".join(f"{letter} = {value}" for letter, value in task.at.items())
     reason = f"{reason}; for {values}" if values else reason
@@ -268,7 +269,7 @@ def _replace(
 def _list_compared(
     task: Task, others: Sequence[Task], tasks: Sequence[Task]
 ) -> Iterator[PrintedSides]:
-    """Yield the sides of a row and of others; of what ties two letters those printed of both."""
+    """Yield the sides of a row and of others; for a tie of two letters, of the joint print."""
     if task.sign.is_tied:
         pair = next(one for one in tasks if one.row.number == task.sign.first)
         yield PrintedSides(pair.sign.sides, (False, True))
@@ -295,13 +296,13 @@ def _list_entries(task: Task) -> Iterator[PrintedSides]:
 
 
 def _take_out(side: sp.Basic) -> sp.Basic:
-    """Return the entry of a matrix that has but one."""
+    """Return a side, or the only entry of a 1x1 matrix."""
     side = write_out(side)
     return side[0] if isinstance(side, sp.MatrixBase) and side.shape == (1, 1) else side
 
 
 def _list_given(task: Task, others: Sequence[Task]) -> Iterator[sp.Expr]:
-    """Yield the residuals of constraints, with derivatives as long as they add letters of a row."""
+    """Yield the residuals of constraints, and derivatives as long as they add letters of a row."""
     letters = list_letters(task)
     for other in others:
         met: set[sp.Basic] = set()

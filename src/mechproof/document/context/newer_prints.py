@@ -1,9 +1,9 @@
-"""Rows behind a newer print of a letter, which may be of another case.
+"""Rows after a newer print of a letter, which may be of another case.
 
-It is not known which of the prints they mean. A verdict stands if both prints give it; of several
-letters, one that refutes stands if it does with any prints of them. What holds by the newer print
-alone is proved if no words stand between, or those of a consequence; else it is left open. A print
-that differs, and solves an equation as the first one does, is another root.
+It is not known which of the prints they mean. A verdict stands if both prints give it; with several
+letters reprinted, a refutation stands only if every choice of their prints refutes. A row that
+holds by the newer print alone is proved if no words, or only words of a consequence, lie between;
+otherwise it is left open. A print that differs, but solves the same equation, is another root.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ from mechproof.record.statements import list_parts
 from mechproof.sources.announcements import Announced
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
-# Work limit: newer prints of letters that are tried in all combinations, not only together.
+# Work limit: number of newer prints up to which all combinations are tried.
 _MANY = 4
 
 
 def find_roots(at: Judging) -> Changes:
-    """Accuse no print of a letter that is another root of an equation printed for it.
+    """Leave open a print of a letter that is another root of an equation printed for it.
 
-    What such a print makes of the letter is kept with its task.
+    The new value of the letter is kept with its task.
     """
     tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
@@ -63,14 +63,14 @@ def find_roots(at: Judging) -> Changes:
 
 
 def _has_roots(task: Task, letter: sp.Basic) -> bool:
-    """Return whether an equation has a letter, and is not solved for it by a division."""
+    """Return whether an equation contains a letter and is not linear in it."""
     one, other = task.sign.sides
     is_met = task.residual is not None and letter in list_printed(task)
     return is_met and not is_linear(one - other, letter)
 
 
 def _is_root(answer: Judgement, row: CheckedRow) -> bool:
-    """Return whether an equation is true with another value, or as far as with the first."""
+    """Return whether an equation is true with another value, or as undecided as with the first."""
     found = row.judgement
     is_alike = found is not None and (found.verdict, found.rung) == (answer.verdict, answer.rung)
     return answer.verdict is Verdict.PROVED or (is_alike and answer.verdict is Verdict.UNDECIDED)
@@ -79,7 +79,7 @@ def _is_root(answer: Judgement, row: CheckedRow) -> bool:
 def judge_root(
     tasks: Sequence[Task], number: int, values: Mapping[sp.Basic, Any], _: int
 ) -> Judgement | str:
-    """Judge an equation with another value of a letter; one that is true with any has no roots."""
+    """Judge an equation with another value of a letter; one true with any value has no roots."""
     task = tasks[number]
     found = _judge_with(task, values)
     any_value = {s: x + sp.sqrt(7) for s, x in values.items() if isinstance(x, sp.Expr)}
@@ -89,9 +89,9 @@ def judge_root(
 
 
 def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
-    """Judge again what rests on a letter that was printed anew before, and differs there.
+    """Judge again rows that rest on a letter printed anew before them, with the new print.
 
-    What is left open because it is `contested` stays so.
+    Rows left open because they are `contested` stay open.
     """
     tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
@@ -120,7 +120,7 @@ def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
 
 
 def _list_parts(newer: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield choices of several newer prints: for the other letters the first may be meant."""
+    """Yield the proper subsets of newer prints: other letters may be meant as first printed."""
     if len(newer) <= _MANY:
         for count in range(1, len(newer)):
             yield from combinations(newer, count)
@@ -135,7 +135,7 @@ def _list_last(newer: Sequence[int], tasks: Sequence[Task]) -> list[int]:
 def _choose(
     task: Task, row: CheckedRow, found: Judgement | None, newer: Sequence[Task]
 ) -> Judgement | str | None:
-    """Return what is said of a row instead of its verdict, None if that stands."""
+    """Return what replaces a row's verdict, or None if the verdict stands."""
     is_proved = row.outcome == Verdict.PROVED.value
     # A row that repeats the new print is judged a definition.
     is_same = found is not None and found.verdict is Verdict.DEFINITION and is_proved
@@ -155,7 +155,7 @@ def _choose(
 
 
 def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
-    """Return whether a derivative differs from what is printed just before it of the same case."""
+    """Return whether a derivative is refuted by a print just before it that is of the same case."""
     is_open = row.judgement is None and found.verdict is Verdict.REFUTED
     is_beside = task.said.is_clause or not task.said.is_new or task.said.passage == last.passage
     is_rate = task.sign.role is Role.DERIVATIVE
@@ -187,12 +187,12 @@ def doubt_by_cases(at: Judging) -> Changes:
 
 
 def judge_without(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
-    """Judge a row without what some other rows define."""
+    """Judge a row without the definitions in some other rows."""
     return _judge_with(tasks[number], {tasks[m].sign.letter: None for m in others})
 
 
 def judge_anew(tasks: Sequence[Task], number: int, newer: Sequence[int]) -> Judgement | str:
-    """Judge a row by the newer prints of letters, or say why not."""
+    """Judge a row by the newer prints of letters, or return why it is not judged."""
     task, anew = tasks[number], dict[sp.Basic, Any]()
     for m in newer:
         anew |= tasks[m].anew
@@ -203,7 +203,7 @@ def judge_anew(tasks: Sequence[Task], number: int, newer: Sequence[int]) -> Judg
 
 
 def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
-    """Judge a row with other values of letters, None for those without one."""
+    """Judge a row with other values of letters, None for a letter without a value."""
     used = list_reached(_list_stated(task), list_given(task.paper.variables))
     if not used & anew.keys():
         return "the value of the first print is put in"
@@ -214,6 +214,6 @@ def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
 
 
 def _list_stated(task: Task) -> set[sp.Basic]:
-    """Return the letters that a row is stated with; of some the values may be put in."""
+    """Return the letters of a row's statement, into which some values may have been put."""
     values = (value for part in list_parts(task.row.statement) for value in vars(part).values())
     return {s for value in values for s in getattr(value, "free_symbols", ())}

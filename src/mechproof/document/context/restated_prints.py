@@ -1,12 +1,13 @@
-"""Derivatives compared with another print: one behind a heading, or a later one that is proved.
+"""Derivatives compared with another print: one across a heading, or a later one that is proved.
 
-A heading may go on to another mechanism, whose letters nobody prints anew. Where a display has a
-true derivative of one letter, it is about the mechanism that printed this one, and so are the other
-derivatives of the display, of letters printed beside it, and those of the same letter behind words
-of a consequence. One with all signs turned may count otherwise: it is left open.
+A heading may introduce another mechanism whose letters are not printed anew. If a display has one
+correct derivative of a letter, it is about the mechanism for which that letter was printed; so are
+the display's other derivatives, of letters printed next to that one, and the letter's later
+derivatives after words of a consequence. A derivative with all signs reversed may count in the
+other sense: it is left open.
 
-Beside a loop the definition of a position may need an angle that no table has, and no velocity
-shows; what follows from both gives the position by the angle of the crank alone.
+In a closed loop the definition of a position may need an angle that has no table, and no velocity
+shows; what follows from both gives the position by the crank angle alone.
 """
 
 from __future__ import annotations
@@ -31,9 +32,9 @@ from mechproof.statement_domains.domain import Domain
 
 
 def compare_restated(at: Judging) -> Changes:
-    """Compare a derivative that lacks a letter of the first print with the last that is proved.
+    """Compare a derivative that lacks a letter of the first print with the last proved reprint.
 
-    Its task is then one that compares it with that, and rests on it.
+    Its task is replaced by one that makes this comparison and rests on the reprint.
     """
     tasks, rows, first = at.tasks, at.rows, {}
     for n, task in enumerate(tasks):
@@ -50,7 +51,7 @@ def compare_restated(at: Judging) -> Changes:
 
 
 def tell_unlike(task: Task) -> str:
-    """Tell that a row differs from another print of its letter, and what it may be."""
+    """Return the reason why a row that differs from another print of its letter is left open."""
     other, name = task.sign.first or "the member before", name_equation(task.row.number)
     return (
         f"it differs from {other} and has other letters: a constraint, or a misprint? If a "
@@ -80,7 +81,7 @@ def _compare(task: Task, later: Task, symbols: Symbols) -> Task | None:
 
 
 def _find_rate(one: Task, other: Task, symbols: Symbols) -> sp.Expr | None:
-    """Return what a later print of a letter makes of the derivative that another row has."""
+    """Return the derivative that a later print of a letter gives for another row, or None."""
     letter, sides = one.sign.letter, one.sign.sides
     if one.sign.role is not Role.REPEATED or letter not in sides or other.sign.letter is None:
         return None
@@ -94,7 +95,7 @@ def _find_rate(one: Task, other: Task, symbols: Symbols) -> sp.Expr | None:
 
 
 def doubt_by_restated(at: Judging) -> Changes:
-    """Leave open what rests on a later print that is not proved, or that may be of a case."""
+    """Leave open a row that rests on a later print that is unproved or may be of a case."""
     for n, task in enumerate(at.tasks):
         name, reason = task.rests_on
         if name and not _holds_in_general(name, at):
@@ -102,7 +103,7 @@ def doubt_by_restated(at: Judging) -> Changes:
 
 
 def _holds_in_general(name: str, at: Judging) -> bool:
-    """Return whether all signs of an equation are proved, and nothing tells that this is a case."""
+    """Return whether all signs of an equation are proved, and no words show it to be a case."""
     tasks = at.tasks
     own = [n for n, task in enumerate(tasks) if name_equation(task.row.number) == name]
     are_proved = bool(own) and all(at.rows[n].outcome == Verdict.PROVED.value for n in own)
@@ -114,7 +115,7 @@ def _holds_in_general(name: str, at: Judging) -> bool:
 
 
 def _list_premises(number: int, at: Judging) -> Iterator[int]:
-    """Yield the constraints that a row follows from, as it says."""
+    """Yield the constraints that a row follows from, according to its reason."""
     found = at.rows[number].judgement
     for m, one in enumerate(at.tasks):
         is_used = found is not None and found.rung in FOLLOWING and binds(one)
@@ -129,7 +130,7 @@ def _may_be_case(task: Task) -> bool:
 
 
 def compare_rates(at: Judging) -> Changes:
-    """Judge again derivatives that are left open behind a heading only."""
+    """Judge again derivatives that were left open only because a heading comes before them."""
     tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
         if rows[n].state is not State.NOT_JUDGED or not task.is_solution:
@@ -144,10 +145,10 @@ def compare_rates(at: Judging) -> Changes:
 
 
 def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Task]) -> bool:
-    """Return whether derivatives are printed without words between, and what they are of, too.
+    """Return whether two derivatives, and their letters' first prints, are printed together.
 
-    Those of one print may have words of a consequence between. Of letters that are printed `anew`
-    nothing is known.
+    Together means without words in between, but two derivatives of one print may have words of a
+    consequence between them. Nothing is known about letters that are printed `anew`.
     """
     if any(task.sign.role is not Role.DERIVATIVE or task.said.is_case for task in (one, other)):
         return False
@@ -166,7 +167,7 @@ def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Ta
 
 
 def judge_rate(tasks: Sequence[Task], number: int) -> Judgement | None:
-    """Judge a derivative by what it is of; None if it is that, but for the sense of counting."""
+    """Judge a derivative by its letter's print; None if only the sense of counting differs."""
     task = tasks[number]
     found, says = judge(task.row, task.paper), task.row.says
     if found.verdict is not Verdict.REFUTED or not isinstance(says, Equality):
