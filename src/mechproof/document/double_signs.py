@@ -1,7 +1,8 @@
-r"""Prints that say two things: with a double sign, or of vectors of the plane as complex numbers.
+r"""Prints that say two things: with a double sign, or of plane vectors as complex numbers.
 
-Of a\mathrm{e}^{j\varphi} there are two equations of real parts: all letters are real but those that
-an equation before gives a complex value. What follows defines no letter, nor does a double sign.
+a\mathrm{e}^{j\varphi} stands for two equations, of real and imaginary parts: all letters are real
+except those to which an earlier equation gives a complex value. A chain said to follow from others
+defines no letter at its first sign, nor does a print with a double sign.
 """
 
 from __future__ import annotations
@@ -41,7 +42,10 @@ _NAMES = ("real part", "imaginary part")
 
 
 def find_following(name: str, read: Print, known: Known) -> list[Sign]:
-    """Return the signs of what follows; of a chain that defines a letter its further members do."""
+    """Return the signs of an equation that follows from others, with definitions as constraints.
+
+    In a chain that defines a letter, the further members are compared with the first, as elsewhere.
+    """
     signs = find_roles(name, read, known.copy())
     if len(signs) > 1 and signs[0].role is Role.DEFINITION:
         return find_roles(name, read, known)
@@ -51,7 +55,10 @@ def find_following(name: str, read: Print, known: Known) -> list[Sign]:
 def find_double_signs(
     printed: Printed, read: Print, reader: Reader, known: Known, pairs: Pairs
 ) -> list[Sign]:
-    """Return the signs of what has a double sign; `ReadingError` where it defines a letter."""
+    """Return the signs of a print with a double sign.
+
+    Raises `ReadingError` if both or either of the signs could define a letter.
+    """
     own = known.copy()
     signs = find_roles(printed.name, read, own)
     if solved := _find_solutions(printed, reader, known, pairs):
@@ -70,7 +77,7 @@ def find_double_signs(
 
 
 def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs) -> list[Sign]:
-    """Return the signs of a print with a double sign on one side, read as a letter; else none."""
+    """Return a print's signs if only one side has a double sign, read as a letter; else none."""
     read = read_signs(reader).parse(printed.latex.string)
     own = known.copy()
     sign, *steps = find_roles(printed.name, read, own)
@@ -99,7 +106,7 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
 
 
 def _find_halves(left: sp.Expr, value: sp.Expr, known: Known, pairs: Pairs) -> tuple[sp.Basic, ...]:
-    """Return x_1 and x_2 for a printed x_{1,2}, unless the value has such letters as well."""
+    """Return x_1 and x_2 for a printed x_{1,2}; nothing if the value has such letters as well."""
     letter = name_symbol(str(left.as_base_exp()[0]))
     is_any = any(name_symbol(str(s)) in pairs for s in value.free_symbols)
     names = known.symbols.names
@@ -107,7 +114,7 @@ def _find_halves(left: sp.Expr, value: sp.Expr, known: Known, pairs: Pairs) -> t
 
 
 def find_imaginary_unit(prints: Iterable[str]) -> str:
-    r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; nothing if none does."""
+    r"""Return the letter of the imaginary unit, as e^{j\varphi} shows it; "" if none does."""
     prints = list(prints)
     if upright := next(filter(None, map(_UPRIGHT.search, prints)), None):
         return rf"\mathrm{{{upright['unit']}}}"
@@ -116,7 +123,7 @@ def find_imaginary_unit(prints: Iterable[str]) -> str:
 
 
 def split_parts(row: Row, sign: Sign, known: Known) -> Iterator[tuple[Row, Sign]]:
-    """Yield a row with its sign, or one for each of the parts of complex sides."""
+    """Yield a row with its sign, or a row each for the real and imaginary parts of its sides."""
     if sign.role is Role.DEFINITION:
         value = known.settle(known.values.get(sign.letter, sp.S.Zero))
         if is_complex(value):
@@ -136,12 +143,12 @@ def split_parts(row: Row, sign: Sign, known: Known) -> Iterator[tuple[Row, Sign]
 
 
 def is_complex(value: Any) -> bool:
-    """Return whether the imaginary unit stands in a value."""
+    """Return whether a value contains the imaginary unit."""
     return isinstance(value, sp.Expr) and bool(value.has(sp.I))
 
 
 def _take_parts(side: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return both parts; `NotImplementedError` where they are not found."""
+    """Return the real and imaginary parts; raises `NotImplementedError` if they are not found."""
     real, imaginary = sp.expand(side.replace(ValueWhere, lambda value, _: value)).as_real_imag()
     if real.has(sp.re, sp.im) or imaginary.has(sp.re, sp.im):
         raise NotImplementedError

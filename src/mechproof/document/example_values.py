@@ -1,6 +1,6 @@
-"""Values of letters that a worked example prints: they hold in this example only.
+"""Values that a worked example prints for letters: they hold in this example only.
 
-So does what is defined there of a letter that stands elsewhere before it, and defines it nowhere.
+So do definitions printed in the example of letters that occur elsewhere but are not yet defined.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from mechproof.sources.paper_files import Source
 
 @contextmanager
 def lend_values(known: Known, name: str) -> Iterator[list[Sign]]:
-    """Lend what holds in the example being read, and keep there what its signs define anew.
+    """Lend the values of the current example, and afterwards keep its new definitions with it.
 
-    The signs of the equation of that name are appended to the list.
+    The signs of the equation called `name` are to be appended to the yielded list.
     """
     number = known.said.example.number
     own = known.examples.setdefault(number, {})
@@ -55,7 +55,7 @@ def lend_values(known: Known, name: str) -> Iterator[list[Sign]]:
 def _take_out(
     letter: sp.Basic, known: Known, before: set[sp.Basic], shown: set[sp.Basic]
 ) -> Values:
-    """Return the value of a letter that stands elsewhere, and those of its derivatives."""
+    """Return the values of a letter that also occurs elsewhere, and of its derivatives."""
     _, steps = known.symbols.find_steps(letter)
     if not shown & {*steps}:
         return {}
@@ -67,7 +67,7 @@ def _take_out(
 def _differs(sign: Sign, value: Any) -> bool:
     """Return whether a letter is printed again in an example with another value.
 
-    Where numbers are put in it may be the same.
+    A side that has only some of the value's letters may be the same value with numbers put in.
     """
     others = (side for side in sign.sides if side is not None and side != sign.letter)
     others = (side for side in others if not side.free_symbols < value.free_symbols)
@@ -75,14 +75,14 @@ def _differs(sign: Sign, value: Any) -> bool:
 
 
 def _join(values: Iterable[Values]) -> Values:
-    """Return the values that were said last, without those of letters that have several."""
+    """Return the values that were said last, without letters that have several."""
     found = {s: value for one in values for s, value in one.items()}
     return {s: value for s, value in found.items() if value is not None}
 
 
 @dataclass(frozen=True)
 class SaidValue:
-    """What a sentence of an example says that a letter is, and where it stands."""
+    """A letter's value according to a sentence of an example, and the sentence's place."""
 
     example: int
     offset: int
@@ -92,14 +92,18 @@ class SaidValue:
 
 @dataclass(frozen=True)
 class ExampleValues:
-    """The values that hold in worked examples, those that sentences say among them."""
+    """The values that hold in worked examples, including those that sentences state."""
 
     known: Known
     said: Sequence[SaidValue]
     order: Sequence[str]
 
     def list_at(self, printed: Printed) -> Values:
-        """Return the values that hold in an example, behind it those of displays of the last."""
+        """Return the values that hold at an equation in an example.
+
+        After an example, the values that displays of any example up to the last one gave are
+        returned.
+        """
         example = printed.announced.example
         numbers = [example.number] if example.number else range(1, example.last + 1)
         offset = printed.latex.offsets[printed.taken]
@@ -111,12 +115,12 @@ class ExampleValues:
         return _join([*map(self._list_rates, told), *given])
 
     def list_within(self, printed: Printed) -> Values:
-        """Return the values that hold in the example that an equation surely stands in."""
+        """Return the values that hold in the example, if an equation is certainly part of one."""
         example = printed.announced.example
         return self.list_at(printed) if example.number and example.is_sure else {}
 
     def _list_rates(self, said: SaidValue) -> Values:
-        """Return the value of a letter with those of its derivatives."""
+        """Return the values of a letter and of its derivatives."""
         known = replace(self.known, values={**self.known.values}, printed={})
         known.define(said.letter, said.value, "")
         _, steps = known.symbols.find_steps(said.letter)
@@ -125,7 +129,7 @@ class ExampleValues:
 
 
 def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> ExampleValues:
-    """Collect what sentences of examples say that letters are: formulas, and numbers of no unit."""
+    """Collect the values that sentences of examples give letters: formulas and unitless numbers."""
     names = {name: v.symbol for v in known.symbols.variables for name in v.latex}
     examples = any(one.announced.example.number for one in printed)
     found = find_inline(source, names) if examples else ()
@@ -136,14 +140,14 @@ def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> 
 
 
 def find_example(offset: int, printed: Sequence[Printed]) -> int:
-    """Return in which example words stand at a place before a display, 0 for none."""
+    """Return the number of the example that contains the text at an offset, 0 for none."""
     behind = (one for one in printed if one.latex.offsets[one.taken] > offset)
     example = next((one.announced.example for one in behind), None)
     return example.number if example and example.start <= offset else 0
 
 
 def _read(one: Inline, number: int, known: Known) -> SaidValue | None:
-    """Read what a sentence says of a letter that nothing else gives."""
+    """Read a sentence's value of a letter that nothing else gives; None if it is unusable."""
     try:
         (relation,) = read_relations(f"{one.letter}={one.value}", known.symbols.reader())
         letter, value = relation.args

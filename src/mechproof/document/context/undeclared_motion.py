@@ -1,8 +1,9 @@
-"""Letters that move, though nobody says so: constraints tie them to letters that do.
+"""Letters that must move though nothing says so, as constraints tie them to moving letters.
 
-If with the others constant constraints leave no letter free to move, another one moves, too. What
-is differentiated as if it did not is neither proved nor refuted. So is what is differentiated or
-integrated over one letter, or of which one value is put in, beside a constraint that ties another.
+If constraints leave no letter free to move while the others are constant, another letter moves,
+too. A row differentiated as if it did not is neither proved nor refuted. Nor is a row that is
+differentiated or integrated over one letter, or has a value of it put in, while a constraint ties
+another letter to that one.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _FREE = 1e-9
 
 
 def doubt_by_motion(at: Judging) -> Changes:
-    """Leave open what has derivatives and a letter that has to move and is not said to."""
+    """Leave open rows with derivatives and a letter that must move but is not said to."""
     tasks, symbols = at.tasks, at.symbols
     groups = [(group, _list_angles(group, tasks, symbols)) for group in _join(at)]
     groups = [(group, angles) for group, angles in groups if angles]
@@ -49,9 +50,9 @@ def doubt_by_motion(at: Judging) -> Changes:
 
 
 def doubt_by_stillness(at: Judging) -> Changes:
-    """Leave open what has rates of a letter that is said to move, and given by letters that do not.
+    """Leave open rows with rates of a letter said to move but given by letters that do not.
 
-    They would be zero; one of the others moves, too.
+    The rates would be zero, so one of the other letters must move, too.
     """
     moving, rates = at.symbols.moving, _list_rates(at.symbols)
     still: dict[sp.Basic, str] = {}
@@ -76,7 +77,7 @@ def doubt_by_stillness(at: Judging) -> Changes:
 
 
 def doubt_by_ties(at: Judging) -> Changes:
-    """Leave open what goes over one letter, and has another that a constraint ties to it."""
+    """Leave open rows that vary one letter and have another that a constraint ties to it."""
     tasks, rows = at.tasks, at.rows
     running = {letter for task in tasks for letter, _ in task.sign.varied}
     ties = {letter: find_ties(letter, at) for letter in running}
@@ -111,7 +112,7 @@ def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
 
 
 def find_ties(by: sp.Basic, at: Judging) -> tuple[set[sp.Basic], list[Task]]:
-    """Return the letters that constraints tie to one, and these."""
+    """Return the letters that constraints tie to `by`, and those constraints."""
     found = [task for n, task in enumerate(at.tasks) if _is_given(task, at.rows[n])]
     left = [task for task in found if not list_letters(task) & _list_rates(at.symbols)]
     reached, tied, given = {by}, set[sp.Basic](), list[Task]()
@@ -124,9 +125,9 @@ def find_ties(by: sp.Basic, at: Judging) -> tuple[set[sp.Basic], list[Task]]:
 
 
 def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
-    """Return the letters of a constraint that may move while one does.
+    """Return the letters of a constraint that may move when `by` does.
 
-    They are said to move, are angles, or stand alone on a side.
+    These are letters said to depend on something else, angles, and letters alone on a side.
     """
     residual = sp.sympify(task.residual)
     turning = {s for call in residual.atoms(*TURNING) for s in call.free_symbols}
@@ -144,7 +145,7 @@ def _list_running(task: Task, by: sp.Basic, symbols: Symbols) -> set[sp.Basic]:
 
 
 def _is_given(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is a constraint, and not of one case only."""
+    """Return whether a row is a constraint that is not said of one case only."""
     is_given = row.judgement is not None and row.judgement.rung == GIVEN
     is_given &= task.sign.role is not Role.VALUE and task.residual is not None
     return is_given and not task.said.is_equating
@@ -165,7 +166,7 @@ def _has_rates(task: Task, row: CheckedRow, rates: Collection[sp.Basic]) -> bool
 
 
 def _join(at: Judging) -> list[tuple[int, ...]]:
-    """Return groups of constraints with moving letters; those that share a letter are together."""
+    """Return groups of constraints with moving letters, joined where they share a letter."""
     groups: list[tuple[set[int], set[sp.Basic]]] = []
     for n, task in enumerate(at.tasks):
         letters = _list_moving(task, at.rows[n], at.symbols)
@@ -180,13 +181,13 @@ def _join(at: Judging) -> list[tuple[int, ...]]:
 
 
 def _has_own_angle(number: int, tasks: Sequence[Task], symbols: Symbols) -> bool:
-    """Return whether a constraint has an angle that nothing else has: that one moves, then."""
+    """Return whether a constraint has an angle that no other row has: that angle then moves."""
     printed = (list_printed(one) | one.sign.printed for n, one in enumerate(tasks) if n != number)
     return bool(_list_angles((number,), tasks, symbols) - set[sp.Basic]().union(*printed))
 
 
 def _list_moving(task: Task, row: CheckedRow, symbols: Symbols) -> set[sp.Basic]:
-    """Return the letters of a constraint that move; none of one of derivatives, or of a case."""
+    """Return a constraint's moving letters; none if it has derivatives or belongs to a case."""
     if not _is_given(task, row):
         return set()
     letters = list_letters(task)
@@ -209,7 +210,7 @@ def _list_angles(group: Sequence[int], tasks: Sequence[Task], symbols: Symbols) 
 def leave_none_free(
     all_tasks: Sequence[Task], numbers: Sequence[int], names: Sequence[str], _: Set[sp.Basic]
 ) -> bool:
-    """Return whether constraints hold what moves where it is, at a point at which they hold."""
+    """Return whether constraints fix the moving letters at a point where the constraints hold."""
     tasks = [all_tasks[n] for n in numbers]
     residuals = [sp.sympify(task.residual) for task in tasks]
     domain = Domain.of(tasks[0].paper, tasks[0].row.on)

@@ -1,8 +1,8 @@
-r"""Values at a place, `x|_{\varphi=0}`, beside constraints that tie letters to what is put in.
+r"""Values at a place, `x|_{\varphi=0}`, where constraints tie other letters to the letter put in.
 
 With $l\sin\beta=r\sin\varphi$ and $-\pi/2<\beta<\pi/2$ there is one angle $\beta$ where
-$\varphi=0$. A letter that may have another value there, as in another position in which a loop is
-put together, is not solved for.
+$\varphi=0$. A letter that may have another value there, as in the other assembly of a loop, is not
+solved for.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from mechproof.record import Equality, RecordError
 from mechproof.record.substitution import resolve
 from mechproof.statement_domains.domain import Domain
 
-# Roles of rows that a condition behind them may restrict to one place.
+# Roles of rows that a condition printed after them may restrict to one place.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
 _BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
 # Functions that take each value once in a range, their inverses, and that range.
@@ -44,9 +44,9 @@ Values = dict[sp.Basic, sp.Expr]
 
 
 def compare_at_places(at: Judging) -> Changes:
-    """Judge values at a place with what constraints say of tied letters there, or say why not.
+    """Judge values at a place, with tied letters solved for there, or give a reason why not.
 
-    What is printed of the value must have no letter that moves with what is put in.
+    The print that is compared with the value must have no letter that moves with the one put in.
     """
     tasks, rows, symbols = at.tasks, at.rows, at.symbols
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
@@ -73,7 +73,7 @@ def compare_at_places(at: Judging) -> Changes:
 
 
 def _list_put_in(task: Task, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    """Yield what letters of constraints are at a place: of an angle that is omega t, the time."""
+    """Yield the values of constraint letters at a place; for an angle omega t, that of the time."""
     for letter, value in _find_places(task).items():
         given, by = resolve(letter, task.paper.given), symbols.find_steps(letter)[0]
         slope = sp.diff(given, by)
@@ -84,9 +84,9 @@ def _list_put_in(task: Task, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Ex
 
 
 def _list_tied(task: Task, moving: Set[sp.Basic], at: Judging) -> frozenset[sp.Basic]:
-    """Return the letters, with their derivatives, that constraints tie to what has a value.
+    """Return the letters, with derivatives, that constraints tie to the letters put in.
 
-    Those that are said to depend on it are told. None for a row that has none of them.
+    Letters said to depend on these are included. Empty for a row that has no tied letter.
     """
     places = {*_find_places(task)}
     if not (places and task.residual is not None and isinstance(task.row.says, Equality)):
@@ -98,7 +98,7 @@ def _list_tied(task: Task, moving: Set[sp.Basic], at: Judging) -> frozenset[sp.B
 
 
 def _is_apart(task: Task, tied: frozenset[sp.Basic], symbols: Symbols) -> bool:
-    """Return whether no letter stands beside a value that moves with what is put in."""
+    """Return whether the other side of a value has no letter that moves with the one put in."""
     places = {*_find_places(task)}
     running = {symbols.find_steps(by)[0] for by in places} | places | tied
     return not running & list_reached(task.sign.beside, task.paper.given)
@@ -118,7 +118,7 @@ def judge_at_place(
     tied: frozenset[sp.Basic],
     at: Mapping[sp.Basic, sp.Expr],
 ) -> Judgement | None:
-    """Judge a value with the only values that tied letters have there; None if some may have more.
+    """Judge a value at a place, with tied letters at their only values there; None if not unique.
 
     A difference is refuted only if both sides then have the same letters, as identities have.
     """
@@ -151,7 +151,7 @@ def judge_at_place(
 
 
 def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
-    """Say which letters may have several values at a place."""
+    """Return the reason that names the letters which may have several values at a place."""
     names = ", ".join(one.row.number for one in given) or "what stands before it"
     letters = ", ".join(sorted(map(str, tied & list_letters(task)))) or "what is tied"
     return (
@@ -167,9 +167,9 @@ def _write(values: Mapping[sp.Basic, sp.Expr]) -> str:
 def _solve_at_place(
     residuals: Sequence[sp.Expr], tied: Collection[sp.Basic], domain: Domain
 ) -> Values | None:
-    """Return the only values of tied letters at which residuals are zero, as far as they have one.
+    """Return the unique values of tied letters at which the residuals are zero, where found.
 
-    None if with these a residual is not shown to be zero that has no other tied letter.
+    None if some residual without another tied letter is then not shown to be zero.
     """
     values: Values = {}
     while found := next(_solve_any(residuals, values, tied, domain), None):
@@ -183,7 +183,7 @@ def _solve_at_place(
 def _solve_any(
     residuals: Sequence[sp.Expr], values: Values, tied: Collection[sp.Basic], domain: Domain
 ) -> Iterator[Values]:
-    """Yield a letter with its value, where a residual has one tied letter left."""
+    """Yield a letter with its value for each residual that has a single tied letter left."""
     for residual in residuals:
         rest = sp.expand(residual.xreplace(values))
         letter, *others = sorted(rest.free_symbols & {*tied}, key=str) or [None]
@@ -194,9 +194,9 @@ def _solve_any(
 
 
 def _solve(residual: sp.Expr, letter: sp.Basic, domain: Domain) -> sp.Expr | None:
-    """Return the only value of a letter at which a residual is zero, None if there may be more.
+    """Return the only value of a letter at which a residual is zero; None if there may be others.
 
-    It lies in the set of the letter wherever it has a value.
+    The value is checked to lie in the letter's set.
     """
     name, within = sp.Dummy(), domain.set_of(letter)
     if any(letter in relation.free_symbols for relation in domain.where):

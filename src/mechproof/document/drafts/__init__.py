@@ -1,1 +1,1 @@
-"""Drafts of the block of letters: what displays and sentences propose, for a person to confirm."""
+"""Drafts of the block of letters: proposals from displays and sentences, to be confirmed."""

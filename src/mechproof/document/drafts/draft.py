@@ -1,6 +1,6 @@
-"""A first block of letters, to be confirmed: the letters of a paper and what its words say of them.
+"""A first block of letters, to be confirmed: a paper's letters and what its text says of them.
 
-Nothing of a draft is used before it stands in the paper.
+No part of a draft is used before it is copied into the paper.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
 from mechproof.sources.displays import find_displays
 from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
-# Seconds within which the sizes of matrices are to be found.
+# Seconds allowed for finding the sizes of matrices.
 _LIMIT = 10.0
 # A letter e anywhere, and one that is raised to a power other than a number.
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
@@ -42,7 +42,7 @@ _UNIT_MATRIX = re.compile(
 
 
 def draft_block(source: Source) -> str:
-    """Return a block of letters for a paper; what was found in its words says where."""
+    """Return a draft block of letters for a paper, with line numbers for what its text says."""
     displays = list(find_displays(source.text))
     prints = [printed.latex.string for printed in displays]
     unit = find_imaginary_unit(prints)
@@ -77,7 +77,7 @@ def draft_block(source: Source) -> str:
     _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
     readable = (x for x in plain if x not in collected.unread)
-    # A matrix needs no such line: a bracket behind it is a factor unless it is an argument.
+    # A matrix needs no `factor` line: a bracket after it multiplies it unless it is an argument.
     brackets = dict.fromkeys([*collected.factors, *beside.factors])
     factors = [x for x in brackets if name_symbol(x) not in shapes]
     lines = [
@@ -115,7 +115,7 @@ def _write_unit_matrices(
     shapes: Mapping[str, tuple[int, int]],
     said: Mapping[str, Said],
 ) -> Iterator[str]:
-    """Yield unit matrices: letters for them that are only added, or stand alone on a side."""
+    """Yield values of unit matrices: letters I or 1 that are only added, or alone on a side."""
     for name, entry in entries.items():
         rows, columns = shapes.get(name, (0, 1))
         letter = next(iter(entry.names))
@@ -133,7 +133,7 @@ def _is_summand(place: re.Match[str]) -> bool:
     before, behind = place.string[: place.start()], place.string[place.end() :]
     is_first = re.search(r"(?:\A|[-+=&(\[])\s*\Z", before)
     is_last = re.match(r"[\s.,;]*(?:\Z|[-+=&)\]]|\\\\|\\right)", behind)
-    # What a letter is, an equation with it alone on its left says.
+    # An equation with the letter alone on its left defines it.
     is_defined = re.fullmatch(r"\s*", before) and re.match(r"\s*&?=", behind)
     return bool(is_first and is_last and not is_defined)
 
@@ -143,7 +143,7 @@ def _take_inline(
     entries: Mapping[str, drafted_lines.DraftedLetter],
     said: dict[str, Said],
 ) -> None:
-    """Enter what sentences say of letters: their units, and that those with rates move."""
+    """Enter the units that sentences give letters, and that letters with rates move."""
     for name, one in inline:
         known = said.get(name, Said("", "", one.line))
         if one.by and (depending := entries.get(name)):
@@ -160,7 +160,7 @@ def _take_units(
     said: dict[str, Said],
     source: Source,
 ) -> None:
-    """Enter the units that are printed of letters, in displays first."""
+    """Enter the printed units of letters; those of displays come first."""
     shown = {
         name_symbol(drafted_lines.show_line(one)): name
         for name, entry in entries.items()
@@ -175,7 +175,7 @@ def _take_units(
 def _find_inline(
     source: Source, entries: Mapping[str, drafted_lines.DraftedLetter]
 ) -> list[tuple[str, Inline]]:
-    """Return the sizes and formulas that sentences give letters, where these are the only ones."""
+    """Return the sizes and formulas that sentences give letters, if unique for the letter."""
     found: dict[tuple[str, bool], dict[str, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
         kind = name_symbol(one.letter), one.number is None
@@ -189,7 +189,7 @@ def _find_inline(
 
 
 def _is_euler(prints: Sequence[str]) -> bool:
-    """Return whether there is a letter e, and it is only raised to powers that are no numbers."""
+    """Return whether there is a letter e that is only raised to powers other than numbers."""
     met = [match for latex in prints for match in _E.finditer(latex)]
     raised = [match for latex in prints for match in _RAISED_E.finditer(latex)]
     return bool(met) and len(met) == len(raised)

@@ -1,6 +1,6 @@
-"""Lines of a draft: what is found of letters, and as questions what has to be confirmed.
+"""Lines of a draft: findings about letters, and questions about what needs confirming.
 
-The letters are those of displays, with what they depend on by prints and words.
+The letters are those of displays, with the letters that they depend on by prints and by text.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ COUNTING = re.compile(
     r"(?P<letter>\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\\in\s*\\mathbb\s*"
     r"\{?\s*(?P<set>[NZ])\s*\}?(?P<zero>_\{?0\}?)?"
 )
-# Words by which a letter is a whole number.
+# Words that make a letter a whole number.
 _NUMBER = re.compile(r"\b(?:number|count|order|index|integer)", re.IGNORECASE)
-# Quantities that are never negative; the position of a mass, or a mass ratio, is none of them.
+# Quantities that are never negative. The position of a mass or a mass ratio is not among them.
 _POSITIVE = re.compile(
     r"(?:(?!(?:of|in|at|on|along|by|for|to|from|between|per)\b)[\w-]+\s+)*"
     r"(?:radius|radii|diameters?|lengths?|mass(?:es)?|stiffness(?:es)?|spring|damper"
@@ -45,9 +45,9 @@ _POSITIVE = re.compile(
     r"(?:\s+(?:of|in|at|on|for|to|from|between|and)\b|[^\w\s]|\s*\Z)",
     re.IGNORECASE,
 )
-# A word below a letter, as it is read.
+# A word in a letter's index, as it is read.
 _WORD_BELOW = re.compile(r"_\{\\([A-Za-z]+)\}")
-# Letters that could be something else where nothing declares them.
+# Letters that could mean something else if undeclared.
 _ASKED = {
     "e": r"a letter here, Euler's number elsewhere",
     "d": "a letter here, a differential elsewhere",
@@ -82,7 +82,7 @@ _FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
 def write_letter(
     name: str, entry: DraftedLetter, size: tuple[int, int] | None, found: Said | None
 ) -> Iterator[str]:
-    """Yield the line of a letter, behind what is asked of it and where its words stand."""
+    """Yield the line that declares a letter, after questions about it and its place in the text."""
     first, *alike = entry.names
     if is_vector(first) and not size:
         yield "# A vector or a matrix? Give its size after the name: 3x1"
@@ -101,7 +101,7 @@ def write_letter(
 
 
 def write_families(families: Iterable[str], said: Mapping[str, Said]) -> Iterator[str]:
-    """Yield the lines of families, whose members stand in sums."""
+    """Yield the lines of families, whose members occur in sums."""
     for family in families:
         members = {x: print_member(family, x) for x in INDICES}
         index = next((x for x in members if name_symbol(members[x]) in said), INDICES[0])
@@ -116,9 +116,9 @@ def write_counts(
     said: Mapping[str, Said],
     words: str,
 ) -> Iterator[str]:
-    r"""Yield which letters count: k of k\in\mathbb{N}, and n of \sum^n in plain prints.
+    r"""Yield lines for letters that count: k of k\in\mathbb{N}, and n of \sum^n in plain prints.
 
-    The latter is asked of a letter that has another meaning in words, which may say what counts.
+    The latter is only a question if the text gives the letter a meaning that is no count.
     """
     counts = dict.fromkeys(map(name_symbol, find_counted(words, prints)), "natural")
     for name in map(name_symbol, find_counts(plain, ())):
@@ -134,9 +134,9 @@ def write_counts(
 def write_factors(
     factors: Iterable[str], entries: Mapping[str, DraftedLetter], prints: Sequence[str]
 ) -> Iterator[str]:
-    r"""Yield the letters that a bracket behind them multiplies: they depend on nothing.
+    r"""Yield the letters that a bracket after them multiplies, as they depend on nothing.
 
-    A fraction behind \tan\alpha may also belong to the argument.
+    A fraction after \tan\alpha may also belong to the argument, so that is a question.
     """
     depending = {name for name, entry in entries.items() if entry.running}
     found = [x for x in factors if name_symbol(x).rstrip("'") not in depending]
@@ -150,14 +150,14 @@ def write_factors(
 
 
 def ask_sizes(letters: Iterable[str]) -> Iterator[str]:
-    """Yield questions for matrices of several sizes."""
+    """Yield questions about matrices of several sizes."""
     for name in dict.fromkeys(letters):
         yield f"# {name} has several sizes: declare a letter for each, and say where it is"
         yield f"# which: in (1): {name} is …"
 
 
 def ask_zeros(displays: Iterable[Printed]) -> Iterator[str]:
-    """Yield questions for letters that are printed to be zero."""
+    """Yield questions about letters that are printed to be zero."""
     for display in displays:
         if zero := _ZERO.fullmatch(display.latex.string):
             yield f"# {display.name}: a constant of integration, which is zero throughout?"
@@ -167,7 +167,7 @@ def ask_zeros(displays: Iterable[Printed]) -> Iterator[str]:
 def tell_unread(
     displays: Sequence[Printed], plain: Sequence[str], collected: Collected, source: Source
 ) -> Iterator[str]:
-    """Yield which displays could not be read, so that their letters are missing."""
+    """Yield the displays that could not be read, whose letters are therefore missing."""
     for display, latex in zip(displays, plain, strict=True):
         if error := collected.unread.get(latex):
             place = source.files.locate(display.latex.offsets[0])
@@ -176,8 +176,8 @@ def tell_unread(
 
 
 def ask_refused(lines: Sequence[str], source: Source) -> list[str]:
-    """Return the lines of a draft, those that a check would refuse as comments that say why."""
-    # Prints may be wrapped; a line of a block is one line.
+    """Return a draft's lines; those that a check would refuse are commented out with the reason."""
+    # Prints may be wrapped, but an entry of a block is one line.
     kept = [" ".join(line.split("\n")) for line in lines]
     while refused := _find_refused(kept, source):
         asked = ([refused[n], f"# {x}"] if n in refused else [x] for n, x in enumerate(kept, 1))
@@ -186,7 +186,7 @@ def ask_refused(lines: Sequence[str], source: Source) -> list[str]:
 
 
 def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
-    """Return what is wrong with lines that are refused, by their numbers, counted from 1."""
+    """Return the reasons for refused lines by line number, counted from 1."""
     files = Files([*source.files.names], [*source.files.contents])
     text = files.add("draft", "\n".join(lines))
     ends = [-1, *(n for n, sign in enumerate(f"{text.string}\n") if sign == "\n")]
@@ -204,19 +204,19 @@ def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
 
 
 def show_line(line: str) -> str:
-    """Return a line with words below letters as they may be printed."""
+    """Return a line with the words in indices as they may be printed."""
     return _WORD_BELOW.sub(_write_upright, line)
 
 
 def _write_upright(match: re.Match[str]) -> str:
-    r"""Write a word below a letter as it may be printed: \mathrm{in}, which is read as \in."""
+    r"""Write a word in an index as it may be printed: \mathrm{in}, as \in would be a sign."""
     is_macro = match[1] in GREEK or match[1] in ("max", "min")
     return match[0] if is_macro else rf"_{{\mathrm{{{match[1]}}}}}"
 
 
 @dataclass
 class DraftedLetter:
-    """A letter: its prints, and the letter that it depends on."""
+    """A drafted letter: its prints, and the letter that it depends on, or ""."""
 
     names: dict[str, None] = field(default_factory=dict)
     running: str = ""
@@ -229,12 +229,11 @@ def list_entries(
     respect: str,
     said: Mapping[str, str],
 ) -> dict[str, DraftedLetter]:
-    """Return the letters by the names of their symbols; a derivative says what its letter is of.
+    """Return drafted letters by symbol name; a derivative shows what its letter depends on.
 
-    So do words, `said`, of a letter whose value is printed at one place only, w(l).
-    Vectors and matrices are not differentiated: their derivatives are letters of their own, as the
-    largest and least values of any are. Primes are derivatives by the letter `respect`, if words
-    name one.
+    So does the text, `said`, for a letter whose value is printed at one place only, w(l). Vectors
+    and matrices are not differentiated: their derivatives are letters of their own, as are largest
+    and least values. Primes are derivatives by the letter `respect`, unless it is "".
     """
     entries: dict[str, DraftedLetter] = {}
     quotients = [match for latex in prints for one in _QUOTIENTS for match in one.finditer(latex)]
@@ -267,7 +266,7 @@ def list_entries(
         entry.names[base] = None
         entry.running = entry.running or running
     for letter in filter(_RATE.match, letters):
-        # \dot s of s(\theta) is taken by the chain rule, so that \theta depends on time.
+        # \dot s of s(\theta) follows from the chain rule, so that \theta depends on time.
         running = by.get(name_symbol(split_letter(letter)[0]), "t")
         if running != "t" and name_symbol(running) in entries:
             entries[name_symbol(running)].running = "t"
@@ -278,7 +277,7 @@ def list_entries(
 def _find_functions(
     letters: Sequence[str], shapes: Mapping[str, tuple[int, int]], prints: Sequence[str]
 ) -> dict[str, str]:
-    """Return the matrices with arguments, and their first print; without any they have one size."""
+    """Return matrices with arguments by stem, with their first print, if the stem has one size."""
     found: dict[str, str] = {}
     for letter in letters:
         stem = strip_arguments(letter)
@@ -290,7 +289,7 @@ def _find_functions(
 
 
 def list_functions(source: Source) -> dict[str, str]:
-    r"""Return what words say that letters are functions of, $s(\varphi)$, if it is but one."""
+    r"""Return the letters' variables according to the text, $s(\varphi)$, if it names just one."""
     said: dict[str, dict[str, None]] = {}
     for match in _FUNCTION.finditer(source.text.string):
         said.setdefault(name_symbol(match[1]), {})[match[2]] = None
@@ -303,10 +302,11 @@ def find_running(
     letters: Sequence[str],
     functions: Mapping[str, str],
 ) -> str:
-    """Return the letter with respect to which words differentiate, if it is but one.
+    """Return the letter that derivatives in the text are taken with respect to, or "".
 
-    They tell what primes are, or a prime is printed next: primes may also be of other coordinates.
-    So do words by which what is printed with a prime is a function of it, and the chain rule.
+    Sources are words about primes or just before a primed display, $s(\varphi)$ in the text for a
+    primed letter s, and the chain rule. "" is returned unless they all name one letter, as primes
+    may also mark other coordinates.
     """
     primed = {name_symbol(split_letter(x)[0].rstrip("'")) for x in letters if "'" in x}
     said = []
@@ -322,18 +322,18 @@ def find_running(
 
 
 def is_motion(letter: str, shapes: Mapping[str, tuple[int, int]]) -> bool:
-    """Return whether a number x(t) has the name of a matrix x."""
+    """Return whether x(t) is a number although a matrix has the name x."""
     is_matrix = name_symbol(letter) in shapes or is_vector(letter) or not _DEPENDS.match(letter)
     return not is_matrix and name_symbol(strip_arguments(letter)) in shapes
 
 
 def strip_arguments(letter: str) -> str:
-    """Return a letter without what stands in a bracket behind it."""
+    """Return a letter without the bracketed arguments after it."""
     return _ARGUMENTS.sub("", letter).strip()
 
 
 def split_letter(letter: str) -> tuple[str, str]:
-    r"""Return a letter and what it is a function of: x and t of \dot x and of x(t)."""
+    r"""Return a letter and its variable: x and t for both \dot x and x(t)."""
     if rate := _RATE.match(letter):
         letter = rate[1] + rate[2] + rate[3]
         depends = _DEPENDS.match(letter)

@@ -1,9 +1,9 @@
-r"""What sentences propose for a draft: values and sizes of letters, and which equations follow.
+r"""Draft lines from sentences: values and sizes of letters, and which equations follow.
 
-Sentences of largest and smallest values are equations that are proposed as rows: "The largest
-value of $x$ is $r+l$", "$x$ reaches a maximum of $r+l$ at $\varphi=0$", or, behind the display of
-a letter, "It reaches a maximum of $r+l$ at $\varphi=0$". Of a display x_{\max}=r+l it is asked
-whether it is meant so.
+Sentences about largest and smallest values are proposed as rows: "The largest value of $x$ is
+$r+l$", "$x$ reaches a maximum of $r+l$ at $\varphi=0$", or, after the display of a letter, "It
+reaches a maximum of $r+l$ at $\varphi=0$". A display x_{\max}=r+l leads to a question whether it
+is meant that way.
 """
 
 from __future__ import annotations
@@ -31,17 +31,17 @@ from mechproof.sources.paper_files import Source
 _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[a-z]?\))")
 # Most characters between a reference and the equation it belongs to.
 _NEAR = 400
-# An equation in a sentence, behind such a word or behind another equation there.
+# An equation in a sentence, after an introducing word or after another equation.
 _RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]*\$")
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
 # The signs that letters consist of.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
-# A letter, or its opposite or a multiple, alone or turned by parts of pi.
+# A turn by parts of pi, and a factor: a letter with these is another position.
 _TURN = r"(?:\s|\d|/|\\pi|\\d?t?frac|\\circ|[{}^])*"
 _MULTIPLE = r"(?:\d+|\\d?t?frac\s*(?:\d\d|\{\d+\}\s*\{\d+\}))?\s*"
 # An index that is one sign.
 _BRACED = re.compile(r"_\{\s*(\w|\\[A-Za-z]+)\s*\}")
-# A letter with a second derivative: its first one is not constant.
+# A letter with a second derivative, so that its first one is not constant.
 _SECOND = re.compile(r"\\ddot\s*\{?\s*(\\?[A-Za-z]+)")
 _KINDS = {
     **dict.fromkeys(("largest", "greatest", "maximum", "maximal", "highest"), "max"),
@@ -74,7 +74,7 @@ _NAMED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
 )
-# A letter with an index, and words that tell at which place it is the value of the letter.
+# A letter with an index, and words that say at which place it is the value of the letter.
 _INDEXED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_(?:\w|\{[^{}]*(?:\{[^{}]*\})?[^{}]*\})(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
@@ -93,9 +93,9 @@ def propose_values(
     said: Mapping[str, Said],
     inline: Sequence[tuple[str, Inline]],
 ) -> Iterator[str]:
-    """Yield what sentences say that letters are: their sizes, and what no display says of them.
+    """Yield the values that sentences give letters: sizes, and formulas that no display gives.
 
-    `running` has all letters, each with the one that it depends on.
+    `running` maps every letter to the one that it depends on, or to "".
     """
     letters = [*running]
     sides = (one.latex.string.partition("=")[::2] for one in displays)
@@ -113,7 +113,7 @@ def propose_values(
         if name in defined and is_free:
             continue
         if one.number is None and _has_letter(one.value, name, letters):
-            # A speed that varies is no value: the letter that stands for it is defined by it.
+            # A varying speed is not a value: it defines the letter that is equated with it.
             is_free ^= one.is_varying and one.letter not in letters and one.value in letters
             given, value = (one.letter, one.value) if is_free else (one.value, one.letter)
             line = f"let {given}={value}"
@@ -141,7 +141,7 @@ def propose_values(
 def propose_relations(
     source: Source, letters: Sequence[str], displays: Sequence[Printed]
 ) -> Iterator[str]:
-    r"""Yield relations that sentences give beside what they introduce: with $\tan\rho=\mu$."""
+    r"""Yield relations that a sentence adds to its subject: with $\tan\rho=\mu$."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     names = {name_symbol(letter) for letter in letters}
     for match in _RELATION.finditer(text):
@@ -177,7 +177,7 @@ def _is_position(value: str, letters: Sequence[str]) -> bool:
 
 
 def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
-    """Yield which equations words before another refer to: it may follow from these."""
+    """Yield questions whether a display follows from the equations that its lead-in refers to."""
     names: dict[str, dict[str, None]] = {}
     for one in displays:
         for label in (*one.labels, one.name, one.name.partition(",")[0]):
@@ -201,7 +201,7 @@ def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[st
 
 
 def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Iterator[str]:
-    """Yield the largest and least values that displays print, as claims to be confirmed."""
+    """Yield largest and least values printed in displays, as claims to be confirmed."""
     known = {name_symbol(letter): by for letter, by in running.items() if by}
     for display in displays:
         if not (said := _NAMED.match(display.latex.string)):
@@ -216,7 +216,7 @@ def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Ite
 def ask_places(
     source: Source, displays: Sequence[Printed], running: Mapping[str, str]
 ) -> Iterator[str]:
-    r"""Yield values at places that displays print behind words: at $\varphi=0$ it is x_0=r+l."""
+    r"""Yield displays of values at a place named just before: at $\varphi=0$ it is x_0=r+l."""
     known = {name_symbol(letter) for letter, by in running.items() if by}
     shown = source.text.string
     starts = {source.text.offsets.index(one.latex.offsets[0]): one for one in displays}
@@ -235,9 +235,9 @@ def ask_places(
 
 
 def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
-    """Yield equations that sentences say, as claims; to be confirmed where they tell of a case.
+    """Yield claims of largest and least values from sentences, commented out if about a case.
 
-    `running` are the letters of the equations with those on which they depend, or none.
+    `running` maps the letters of the equations to those that they depend on, or to "".
     """
     names = {name_symbol(letter): letter for letter in running}
     shown = source.text.string
@@ -266,7 +266,7 @@ def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
 
 
 def _find_letter(before: str) -> str:
-    """Return the left side of the last display, none where it is not alone."""
+    """Return the left side of the last display, or "" if there is no display."""
     displays = list(DISPLAY.finditer(before))
     side = displays[-1][0].partition("=")[0] if displays else ""
     return re.sub(r"\$\$|\\\[|\\begin\{\w+\*?\}|\\label\{[^{}]*\}|&", "", side).strip()
