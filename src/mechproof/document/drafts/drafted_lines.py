@@ -302,7 +302,7 @@ def find_running(
     letters: Sequence[str],
     functions: Mapping[str, str],
 ) -> str:
-    """Return the letter that derivatives in the text are taken with respect to, or "".
+    r"""Return the letter that derivatives in the text are taken with respect to, or "".
 
     Sources are words about primes or just before a primed display, $s(\varphi)$ in the text for a
     primed letter s, and the chain rule. "" is returned unless they all name one letter, as primes
