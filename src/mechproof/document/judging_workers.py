@@ -1,6 +1,6 @@
-"""The rows of a paper while they are judged, and what worker processes are asked of them.
+"""The rows of a paper while they are judged, and the questions that worker processes answer.
 
-A process judges a row of a paper that it has read.
+A worker process that has not inherited the rows of a paper reads the paper again.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from mechproof.sources.paper_files import read_source
 from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
 
-# The end of the name of a row that is one sign of a chain.
+# The end of a row's name if the row is one sign of a chain.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 # Roles of rows whose sides are compared even if letters on one side only could make them equal.
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
@@ -52,10 +52,10 @@ TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
 )
-# Rows judged elsewhere: their numbers and prints, each with the count of what its row states.
+# Rows judged elsewhere: their numbers and prints, each with the number of statements of its row.
 Elsewhere = frozenset[tuple[str, int]]
-# The rows of the papers at work, by path, content and the rows judged elsewhere. They are global so
-# that a forked process inherits them: sent through a pipe, SymPy would evaluate relations.
+# The rows of the papers being judged, by path, content and the rows judged elsewhere. They are
+# global so that a forked process inherits them: unpickling SymPy relations would evaluate them.
 Key = tuple[str, str | None, Elsewhere]
 opened: dict[Key, list[Task]] = {}
 # Rows that have changed, with their numbers.
@@ -68,10 +68,10 @@ def name_equation(number: str) -> str:
 
 
 def leave_out(rows: Sequence[Task | Left], elsewhere: Elsewhere) -> Iterator[Task | Left]:
-    """Yield the rows that are judged nowhere else, by themselves or with all signs of their print.
+    """Yield the rows that are not judged elsewhere, on their own or with their whole print.
 
-    A row elsewhere judges all signs of its print if it states as many things. The signs of a print
-    that is not read are not known.
+    A row elsewhere covers a print if it makes at least as many statements as the print has signs.
+    For a print that could not be read, any row elsewhere of its equation counts.
     """
     known = {text for text, _ in elsewhere}
     equations = {*map(name_equation, known)}
@@ -89,7 +89,7 @@ def leave_out(rows: Sequence[Task | Left], elsewhere: Elsewhere) -> Iterator[Tas
 
 
 def open_tasks(key: Key) -> list[Task]:
-    """Return the rows of a paper that are judged, read again where nobody else has."""
+    """Return the rows of a paper that are judged, reading them if this process has not yet."""
     if key not in opened:
         path, content, elsewhere = key
         found = leave_out(Document(read_source(path, content)).read(LIMIT), elsewhere)
@@ -98,7 +98,7 @@ def open_tasks(key: Key) -> list[Task]:
 
 
 def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
-    """Judge a row by itself, or beside what it is said to follow from, or say why not."""
+    """Judge a row on its own or by the rows it is said to follow from; else return why not."""
     task = tasks[number]
     try:
         return judge_following(task, tasks) if task.follows else _judge_alone(task)
@@ -107,7 +107,7 @@ def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
 
 
 def judge_special(tasks: Sequence[Task], number: int, kind: str) -> Judgement | str:
-    """Judge a row at values of its letters, `special` ones or `local` ones."""
+    """Judge a row at the values of its letters in its `special` or `local` variant."""
     special: Task = getattr(tasks[number], kind)
     return _judge_alone(special)
 
@@ -115,9 +115,9 @@ def judge_special(tasks: Sequence[Task], number: int, kind: str) -> Judgement | 
 def judge_without(
     tasks: Sequence[Task], number: int, letters: frozenset[sp.Basic]
 ) -> Judgement | None:
-    """Judge a row whatever defines some letters; None where that tells nothing.
+    """Judge a row without the definitions of some letters; None unless it is proved or refuted.
 
-    A difference is then refuted only if both sides have the same letters, as identities have.
+    A difference is refuted only if both sides then have the same letters, as identities have.
     """
     task = tasks[number]
     free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
@@ -133,7 +133,10 @@ def judge_without(
 
 
 def _judge_alone(task: Task) -> Judgement | str:
-    """Judge a row, or say why not; what asserts nothing is refuted only if it is true nowhere."""
+    """Judge a row on its own, or return why not.
+
+    A row that asserts nothing is refuted only if it is true nowhere.
+    """
     try:
         found = _find_mixture(task) or judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
@@ -198,7 +201,7 @@ def _prove_in_letters(task: Task) -> Judgement | None:
 
 
 def _find_mixture(task: Task) -> Judgement | None:
-    """Judge a part with units by itself, where other letters have none."""
+    """Judge the part of a row that mixes dimensions; None unless it is ill-formed."""
     if task.mixed is None:
         return None
     part, paper = task.mixed
@@ -207,7 +210,7 @@ def _find_mixture(task: Task) -> Judgement | None:
 
 
 def _say_compared(task: Task, found: Judgement) -> Judgement:
-    """Return a judgement whose reason claims no more than what was compared."""
+    """Return a judgement whose reason claims no more than was compared."""
     said = f"{BOUND_AGREE}; dimensions are not compared: {task.lacking}"
     reason = found.reason.replace(AGREE, said)
     return replace(found, reason=reason) if task.lacking else found
@@ -241,16 +244,16 @@ def _take_as_given(task: Task, found: Judgement) -> Judgement:
 def judge_members(
     tasks: Sequence[Task], number: int, standing: Sequence[Sequence[str]]
 ) -> Judgement | str:
-    """Judge a print by the members that stand: one is enough to prove it.
+    """Judge a print by the agreeing members of a chain: a proof by one of them is enough.
 
-    It is refuted by any of them, unless they differ themselves.
+    A difference from its first member refutes it, unless the members differ among themselves.
     """
     task = tasks[number]
     names = [name for group in standing for name in group]
     compared = [one for one in (task, *task.others) if one.sign.first in names]
     answers = [(_judge_alone(one), one) for one in compared]
     for wanted in (Verdict.PROVED, Verdict.REFUTED):
-        # A member behind a step that is not shown may be meant for a case: it accuses nobody.
+        # A member after an unproved step may be meant for a case, so it refutes nothing.
         alone = answers[:1] if wanted is Verdict.REFUTED and compared[0] is task else answers
         for found, one in alone:
             if isinstance(found, Judgement) and found.verdict is wanted:
@@ -271,7 +274,7 @@ def judge_members(
 
 @dataclass(frozen=True)
 class Judging:
-    """The tasks of a paper, what has become of each so far, and the time that one may take."""
+    """The tasks of a paper, the rows judged so far, and the seconds allowed for each judgement."""
 
     key: Key
     tasks: list[Task]
@@ -282,9 +285,10 @@ class Judging:
     def ask(
         self, judge: Callable[..., Any], asked: Sequence[tuple[Any, ...]]
     ) -> Iterator[tuple[tuple[Any, ...], Any]]:
-        """Yield what is asked with each answer, a `WorkerError` for none, as they come.
+        """Yield each of `asked` with its answer, or with a `WorkerError`, in order of completion.
 
-        `judge` is a function of a module: it gets all tasks, and what is asked.
+        `judge` is a module-level function, called with all tasks and the elements of one of
+        `asked`.
         """
         calls = [(self.key, judge, one) for one in asked]
         for place, answer in run_tasks(_answer, calls, limit=self.limit):

@@ -1,7 +1,7 @@
-"""What is known of the letters of a paper while its equations are read, one after the other.
+"""What is known about the letters of a paper while its equations are read one after another.
 
-Of matrices of which others are made before they are printed it is known which are, and when; of
-laws whose pieces are printed one by one each has its range.
+This includes which matrices are used before they are printed, and the ranges of laws whose pieces
+are printed one by one.
 """
 
 from __future__ import annotations
@@ -32,23 +32,23 @@ _CLOSED = (sp.Le, sp.Ge)
 
 @dataclass
 class Known:
-    """What is known of letters: their values, which equation printed them first, which were met.
+    """What is known about letters: their values and the equations that printed them first.
 
-    `met` counts in how many equations and tables; `unread` is all that is not read.
-    `others` are the further members of the chains that printed them first, and which these are;
-    `cases` are further prints that may be other solutions, `again` those without a condition that
-    are compared. `sizes` are those of letters that are
-    declared as numbers and printed to be matrices; `entries` stand for matrices without a value.
-    `pieces` are those that are printed one by one; `laws` are the letters whose value they are.
-    `arcs` are what angles are whose sine, cosine or tangent is printed, `angles` those of numbers
-    by their passages, with what is printed of them. `later` are matrices of
-    which others are made before they are printed, with their values and what prints these.
-    `circular` are matrices that were made of what is made of them. `constrained` are letters
-    between which constraints are printed, `tied` what is printed of their derivatives, `held` those
-    that are said to be zero behind an equation. `said` is what the words before the equation being
-    read announce. `examples` are the values that hold in a worked example only, by its number and
-    by what prints them, None for what is printed anew; `shown_in` are the examples in which letters
-    stand, 0 for none.
+    `met` counts the equations and tables in which a letter occurs; `unread` is all unread text.
+    `others` holds the further members of the chains that first printed a letter, with their names;
+    `cases` holds later prints that may be other solutions, `again` later prints without a condition
+    that are compared. `sizes` has the sizes of letters declared as numbers but printed as matrices;
+    `entries` has the entries that stand for matrices without a value. `pieces` holds the pieces of
+    laws printed one by one; `laws` the pieces of letters that have such a law as their value.
+    `arcs` gives, as arc functions, angles whose sine, cosine or tangent is printed; `angles`, by
+    passage and letter, the functions of angles that numbers give there, with the arcs. `later`
+    holds the matrices used before they are printed, with their values and the equations that print
+    them. `circular` has matrices that are made of matrices made of them. `constrained` has the
+    letters in constraints, `tied` the prints of their derivatives, and `held`, by equation, the
+    letters said to be zero after it. `said` is the announcement in the text before the current
+    equation. `examples` holds, by example and equation, the values that hold in a worked example
+    only, None for letters printed anew there; `shown_in` maps letters to the examples they occur
+    in, 0 for outside of any.
     """
 
     symbols: Symbols
@@ -75,20 +75,20 @@ class Known:
     shown_in: dict[sp.Basic, set[int]] = field(default_factory=dict)
 
     def copy(self) -> Known:
-        """Return what is known, to try what a print would make known."""
+        """Return a copy on which the effects of a print can be tried."""
         changed = {**self.values}, {**self.printed}, {**self.later}
         return replace(self, values=changed[0], printed=changed[1], others={}, later=changed[2])
 
     def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
-        """Put in all values, to the end, but for those of the letters `stop`."""
+        """Put in all values, repeatedly, except those of the letters in `stop`."""
         return settle_all(expression, {s: v for s, v in self.values.items() if s not in stop})
 
     def list_formulas(
         self, value: Any, have: Collection[sp.Basic], stop: Collection[sp.Basic]
     ) -> list[Any]:
-        """Return what a value is by letters that one has, with all values put in and up to `stop`.
+        """Return a value by letters in `have` only, with values put in fully or up to `stop`.
 
-        Further members of its chain may need fewer letters.
+        Further members of its chain are tried, too, as they may need fewer letters.
         """
         members = [value, *(other for _, other in self.others.get(value, ()))]
         settled = [(self.settle(one), self.settle(one, stop=stop)) for one in members]
@@ -97,9 +97,9 @@ class Known:
     def list_restated(
         self, value: Any, have: Collection[sp.Basic], stop: Collection[sp.Basic]
     ) -> Iterator[tuple[str, Any]]:
-        """Yield what a value is by letters that one has, by a later print of one that gives it.
+        """Yield a value by letters in `have` only, using a later print of a letter it contains.
 
-        That print is named: it may be wrong.
+        Each comes with the name of the later print, which may be wrong.
         """
         for letter in sorted(self.again.keys() & self.list_used(value), key=str):
             for name, printed in self.again[letter]:
@@ -107,12 +107,12 @@ class Known:
                 yield from ((name, one) for one in known.list_formulas(value, have, stop))
 
     def has_either_sign(self, letter: sp.Basic | None) -> bool:
-        """Return whether an angle is given by its cosine, which numbers give in this passage."""
+        """Return whether numbers in this passage give an angle by its cosine only."""
         found = self.list_angles(letter, self.said)
         return bool(found) and all(function == sp.cos for function, _ in found)
 
     def list_angles(self, letter: sp.Basic | None, said: Announced) -> list[tuple[Any, sp.Expr]]:
-        """Return of what function an angle is the arc whose value numbers give in a passage."""
+        """Return the functions of an angle that numbers give in a passage, each with the arc."""
         return [] if letter is None else self.angles.get((said.passage, letter), [])
 
     def list_matrices(self) -> dict[sp.Basic, sp.MatrixBase]:
@@ -120,19 +120,19 @@ class Known:
         return {s: v for s, v in self.values.items() if isinstance(v, sp.MatrixBase)}
 
     def is_shown(self, symbol: sp.Basic, value: Any) -> bool:
-        """Return whether a letter, or an entry of it, stands in a value, or in what it is given by.
+        """Return whether a value, or a definition it uses, contains a letter or one of its entries.
 
-        It may cancel there: then a print is wrong, and no definition.
+        The letter may cancel there; in that case the print is wrong, and no definition.
         """
         own = {symbol, *self.entries.get(symbol, ())}
         return bool(own & (self.list_used(value) | self.settle(value).free_symbols))
 
     def list_used(self, value: Any) -> set[sp.Basic]:
-        """Return the letters of a value, and of what gives them."""
+        """Return the letters of a value and, repeatedly, of their values."""
         return list_reached(value.free_symbols, self.values)
 
     def follows_from_constraints(self, symbol: sp.Basic, value: Any) -> bool:
-        """Return whether a derivative is printed by nothing but what constraints tie together."""
+        """Return whether a derivative is printed only in terms of what constraints tie together."""
         letter = self.symbols.find_steps(symbol)[1][0]
         if letter == symbol or letter in self.values or letter not in self.constrained:
             return False
@@ -141,7 +141,7 @@ class Known:
         return bool(self.settle(value).free_symbols <= tied.union(*given))
 
     def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
-        """Take what is printed of a letter as its definition, and what follows of its rates."""
+        """Take a print of a letter as its definition, and derive the values of its derivatives."""
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
@@ -163,9 +163,9 @@ class Known:
             above = rate
 
     def redefine(self, symbol: sp.Basic, value: Any, name: str) -> Values:
-        """Return what a newer print makes of letters and derivatives, None without a value then.
+        """Return the values that a newer print gives letters and derivatives, None for no value.
 
-        Derivatives have the values of letters put in that are not said to move.
+        Letters that are not said to move have their values put in before derivatives are taken.
         """
         _, steps = self.symbols.find_steps(symbol)
         own = steps[steps.index(symbol) :]
@@ -186,26 +186,26 @@ class Known:
         return {s: known.values.get(s) for s in (*own, *changed)}
 
     def is_derived(self, rate: sp.Basic) -> bool:
-        """Return whether a derivative is known by that of which it is one, not by a print."""
+        """Return whether a derivative was found by differentiation and not printed itself."""
         _, steps = self.symbols.find_steps(rate)
         before = steps[max(steps.index(rate) - 1, 0)]
         is_below = before != rate and self.printed.get(before) == self.printed.get(rate)
         return is_below or self.printed.get(rate) == CHAIN_RULE
 
     def _show_moving(self, value: Any, by: sp.Basic) -> Any:
-        """Put in the letters that are not said to depend on another, though their values do."""
+        """Put in the values of letters that depend on `by` without being declared to."""
         moving = {s for s, (other, rates) in self.symbols.moving.items() if other == by}
         moving |= {s for _, rates in self.symbols.moving.values() for s in rates} | {by}
         fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
         return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
     def join_pieces(self) -> dict[sp.Basic, list[LawPiece]]:
-        """Return the laws that pieces are together, of letters that nothing else gives."""
+        """Return the laws that pieces form, for letters that have no other value."""
         ordered = {letter: _order_pieces(pieces) for letter, pieces in self.pieces.items()}
         return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
 
     def define_laws(self, laws: Mapping[sp.Basic, list[LawPiece]]) -> None:
-        """Take laws by pieces as definitions, but for derivatives of others."""
+        """Take piecewise laws as definitions, unless a letter already has a derived value."""
         for letter in sorted(laws, key=lambda s: self.symbols.find_steps(s)[1].index(s)):
             self.laws[letter] = laws[letter]
             if letter not in self.values:
@@ -213,16 +213,16 @@ class Known:
                 self.define(letter, sp.Piecewise(*pieces), self.name_law(letter))
 
     def find_parted(self, letter: sp.Basic) -> sp.Basic:
-        """Return the letter of whose ranges the pieces are that give another or its rate."""
+        """Return the letter over whose ranges a letter, or one that it is a rate of, has pieces."""
         by, steps = self.symbols.find_steps(letter)
         return next((self.laws[s][0].by for s in steps if s in self.laws), by)
 
     def name_law(self, letter: sp.Basic) -> str:
-        """Return which equations print the pieces of a law."""
+        """Return the names of the equations that print the pieces of a law."""
         return " and ".join(dict.fromkeys(one.name for one in self.laws[letter]))
 
     def list_others(self, symbol: sp.Basic) -> Iterator[tuple[str, Any]]:
-        """Yield what else is printed of a letter, or of the one whose derivative it is."""
+        """Yield other prints of a letter, or of the one it is a derivative of, differentiated."""
         by, steps = self.symbols.find_steps(symbol)
         letter, order = steps[0], steps.index(symbol)
         for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
@@ -233,16 +233,16 @@ class Known:
 
 
 def define_later(later: Later, known: Known) -> None:
-    """Take matrices as known before they are printed."""
+    """Define matrices before the equations that print them."""
     known.later |= later
     for symbol, (value, name) in later.items():
         known.define(symbol, value, name)
 
 
 def find_later(known: Known) -> Later:
-    """Return the matrices that are known, if another was made of a letter for one of them.
+    """Return the known matrices, if one of them was used as a letter before it was printed.
 
-    What is also made of the other is left to the print that makes it, if others are known.
+    Matrices that depend on one another in a circle are left out if others remain.
     """
     met = {letter for value in known.values.values() for letter in _list_open(value)}
     met |= known.later.keys()
@@ -253,9 +253,9 @@ def find_later(known: Known) -> Later:
 
 
 def define_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
-    """Take a print for the definition of a matrix, if it was known before, or made of unknown ones.
+    """Take a print as the definition of a matrix, if it is that or the old one is not explicit.
 
-    Return whether it is: what was printed before is compared with it.
+    Returns whether it was taken. In the latter case the earlier print is compared with this one.
     """
     if symbol in known.later:
         is_here = known.later[symbol][1] == name
@@ -271,15 +271,15 @@ def define_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
 
 
 def _list_open(value: Any) -> set[sp.Basic]:
-    """Return the letters for matrices that stand in a matrix."""
+    """Return the matrix symbols in a matrix."""
     return value.atoms(sp.MatrixSymbol) if is_matrix(value) else set()
 
 
 @dataclass(frozen=True)
 class LawPiece:
-    """A value of a letter in a range of another one, `by`, and who prints it.
+    """The value of a letter in a range of another one, `by`, with the name of its equation.
 
-    The ends of the range are None where there is none.
+    `low` or `high` is None if the range has no such end.
     """
 
     name: str
@@ -292,7 +292,7 @@ class LawPiece:
 
     @property
     def range(self) -> tuple[sp.Expr | None, sp.Expr | None]:
-        """Return the ends, in one form."""
+        """Return the ends of the range, expanded so that they can be compared."""
         low, high = (None if x is None else sp.expand(x) for x in (self.low, self.high))
         return low, high
 
@@ -300,7 +300,7 @@ class LawPiece:
 def read_piece(
     name: str, value: Any, relations: Sequence[sp.Basic], by: sp.Basic
 ) -> LawPiece | None:
-    """Return the piece that relations say to be meant, None if they say more than a range."""
+    """Return the piece that relations select, or None if they say more than a range."""
     ends: dict[bool, tuple[sp.Expr, bool]] = {}
     where = tuple(part for one in relations for part in _open_modulus(one, by))
     for relation in where:
@@ -316,7 +316,7 @@ def read_piece(
 
 
 def _open_modulus(relation: sp.Basic, by: sp.Basic) -> tuple[sp.Basic, ...]:
-    """Write |x| <= a, where x is the letter of a range, as the two relations that it stands for."""
+    """Write |x| <= a, where x is the letter of a range, as the two relations it stands for."""
     is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge)
     if not is_order or relation.lts != sp.Abs(by):
         return (relation,)
@@ -325,9 +325,9 @@ def _open_modulus(relation: sp.Basic, by: sp.Basic) -> tuple[sp.Basic, ...]:
 
 
 def _order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
-    """Return pieces in the order in which each begins where another ends; none if they do not.
+    """Return pieces in an order in which each begins where the last one ends, or none.
 
-    Of pieces with the same range the first is meant. All ranges are of the same letter.
+    Of pieces with the same range the first is used. All ranges must be of the same letter.
     """
     ranges: dict[Any, LawPiece] = {}
     if any(piece.by != pieces[0].by for piece in pieces):

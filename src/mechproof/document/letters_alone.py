@@ -1,6 +1,6 @@
-"""Equations of which a side is a letter alone: they define it, repeat it, or constrain letters.
+"""Equations with a letter alone on a side: they define it, repeat it, or constrain letters.
 
-What is said at a place, in a range or of a number is that alone, and defines nothing.
+A print for one place or one range, or of a number, is only that: it gives no general definition.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from mechproof.latex.reader import Print
 
 @dataclass(frozen=True)
 class LetterAlone:
-    """A letter alone and what it is equal to, in a print of a name: the sides of sign `left`."""
+    """A letter alone and its equal in the print called `name`: the sides of its sign `left`."""
 
     name: str
     read: Print
@@ -42,34 +42,34 @@ class LetterAlone:
         return is_matrix(self.value)
 
     def to_sign(self, role: Role, first: str = "") -> Sign:
-        """Return a sign between both sides that does so to the letter."""
+        """Return a sign between both sides that plays a role for the letter."""
         return Sign(role, self.symbol, first, self.sides)
 
     def to_number(self, role: Role, letter: sp.Basic | None = None) -> Sign:
-        """Return a sign beside a number, if one of the sides is any."""
+        """Return a sign with the number, if any, that is one of its sides."""
         return Sign(role, letter, "", self.sides, *find_number(self.nodes, self.sides))
 
 
 def is_bare(node: tree.Node) -> bool:
-    """Return whether a side is a letter alone, and of no family."""
+    """Return whether a side is a letter alone, and not a member of a family."""
     return isinstance(node, tree.Letter) and not node.indices
 
 
 def has_place(nodes: tuple[tree.Node, ...]) -> bool:
-    """Return whether a value at a place is taken."""
+    """Return whether sides contain a value at a place or a limit."""
     return any(isinstance(part, tree.At | tree.Approach) for part in tree.walk(nodes))
 
 
 def compare_with_known(symbol: sp.Basic, known: Known) -> Role:
-    """Return what a further print of a letter is, or of a rate."""
+    """Return the role of another print of a letter, or of a derivative."""
     is_rate = symbol != known.symbols.find_steps(symbol)[1][0]
     return Role.DERIVATIVE if is_rate else Role.REPEATED
 
 
 def find_role_of_letter(one: LetterAlone, known: Known) -> Sign:
-    """Return what a sign beside a letter does; what it defines is known then.
+    """Return the role of a sign next to a letter; definitions are entered in `known`.
 
-    Raises `ReadingError` for a matrix that is called by the letter of a number.
+    Raises `ReadingError` for a matrix that has the letter of a number.
     """
     symbol, value = one.symbol, one.value
     if has_place(one.nodes) and symbol in known.met:
@@ -92,7 +92,7 @@ def find_role_of_letter(one: LetterAlone, known: Known) -> Sign:
 
 
 def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
-    """Return what a sign does to a letter without a value; nothing for one that is a circle."""
+    """Return the sign of a letter without a value; None if the print defines it by itself."""
     if _is_special(one, known):
         return one.to_sign(Role.CONSTRAINT)
     if known.follows_from_constraints(one.symbol, one.value):
@@ -112,7 +112,7 @@ def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
 
 
 def _is_piece(one: LetterAlone, known: Known) -> bool:
-    """Return whether a print is the piece of a law that it introduces; note what it says there."""
+    """Return whether a print is the piece that introduces its law; note the piece."""
     if one.left or not one.chain.condition or one.is_matrix:
         return False
     _note_piece(one.name, one.read, one.chain.condition, (one.symbol, one.value), known)
@@ -133,9 +133,9 @@ def _refuse_matrix(one: LetterAlone, known: Known) -> NoReturn:
 def _note_piece(
     name: str, read: Print, condition: tree.Chain, sides: tuple[sp.Basic, Any], known: Known
 ) -> None:
-    """Note what is printed of a letter in a range of the one on which it depends.
+    """Note the value of a letter in a range of the one that it depends on.
 
-    Or of another one that depends on the same.
+    The range may also be of another letter that depends on the same one.
     """
     symbol, value = sides
     by, steps = known.symbols.find_steps(symbol)
@@ -151,10 +151,11 @@ def _note_piece(
 
 
 def _is_special(one: LetterAlone, known: Known) -> bool:
-    """Return whether a letter is said to be another one, or both a number, at a special position.
+    """Return whether a print equates letters, or a letter and a number, at a special position.
 
-    It may be its opposite, or turned. A letter that is introduced so has not been met before, and
-    no words tell of a special position.
+    A letter may be equated with another, with its negative, or with one of these plus a number.
+    This is not so if the letter was not met before, the chain has no number, and the text announces
+    nothing.
     """
     terms = [term for term in sp.Add.make_args(one.value) if not term.is_number]
     alone = terms[0] if len(terms) == 1 else one.value
@@ -164,13 +165,13 @@ def _is_special(one: LetterAlone, known: Known) -> bool:
 
 
 def _counts_otherwise(symbol: sp.Basic, value: Any) -> bool:
-    """Return whether a letter is said to count, and what is printed of it need not be a count."""
+    """Return whether a letter is an integer although its printed value need not be one."""
     is_count = value.is_integer and (value.is_positive or not symbol.is_positive)
     return bool(symbol.is_integer) and not is_count
 
 
 def _may_have_vectors(node: tree.Node) -> bool:
-    """Return whether a letter that is taken as a number stands beside a matrix as a factor."""
+    """Return whether a product contains a letter read as a number next to a matrix."""
     factors = node.factors if isinstance(node, tree.Product) else ()
     has_matrix = any(tree.shows_matrix(part) for part in tree.walk(factors))
     return has_matrix and any(

@@ -1,4 +1,4 @@
-"""What is told or refused of an equation: its units, its characters, what a block says of it."""
+"""Refusals and notices about an equation: its units, its characters, the block's mentions of it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
-# Nodes beside which a number is not the size of a letter.
+# Nodes next to which a number is not the size of a letter.
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.
@@ -35,9 +35,9 @@ _WORDS = re.compile(r"\\(?:text[a-z]*|mbox|intertext|mathrm|operatorname\*?)\s*\
 
 
 def refuse_units(read: Print) -> None:
-    """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
+    """Refuse a unit that no letter can have: the other side says nothing about units."""
     for chain in read.chains:
-        # A number that is turned into another unit needs no letter.
+        # A number that is converted into another unit needs no letter.
         is_turned = chain.relations and all(is_number(node) for node in chain.members[:2])
         is_limit = chain.relations and chain.relations[0] not in (*EQUAL, r"\approx")
         beside = set() if is_turned or is_limit else {0}
@@ -54,7 +54,7 @@ def refuse_units(read: Print) -> None:
 
 
 def refuse_powers_of_zero(read: Print) -> None:
-    """Refuse r^0 of a letter: nobody prints a one so, but a frame at its right."""
+    """Refuse r^0 of a letter: nobody prints 1 that way, but a frame as an upper index."""
     for node in (node for node in tree.walk(read.chains) if isinstance(node, tree.Power)):
         if isinstance(node.base, tree.Letter) and node.exponent == tree.Number("0"):
             printed = read.source.latex[node.start : node.end]
@@ -66,7 +66,7 @@ def refuse_powers_of_zero(read: Print) -> None:
 
 
 def refuse_pi(read: Print, said: Said | None) -> None:
-    r"""Refuse \pi as a number where words say that it is a letter."""
+    r"""Refuse \pi as a number if the text says that it is a letter."""
     found = (node for node in tree.walk(read.chains) if isinstance(node, tree.Constant))
     if said and (node := next((node for node in found if node.value == sp.pi), None)):
         raise read.source.refuse(
@@ -77,7 +77,7 @@ def refuse_pi(read: Print, said: Said | None) -> None:
 
 
 def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None:
-    r"""Refuse \theta_1=\frac\pi T-2(4) beside an equation (4): what it gives may be meant."""
+    r"""Refuse \theta_1=\frac\pi T-2(4) if an equation (4) exists: its value may be meant."""
     if not _NUMBER.search(read.source.latex):
         return
     names = {one.name for one in printed}
@@ -94,12 +94,12 @@ def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None
 
 
 def says_constant(latex: str) -> bool:
-    r"""Return whether a print says that a quantity is constant, m=\text{const.}, and not what."""
+    r"""Return whether a print only says that a quantity is constant, m=\text{const.}."""
     return bool(_CONSTANT.search(latex))
 
 
 def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
-    """Refuse what is said of equations that are not there."""
+    """Refuse entries of the block about equations that do not exist."""
     known = {name for one in printed for name in (one.name, *one.labels)}
     said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
     said = (*said, *block.follows, *(name for names in block.follows.values() for name in names))
@@ -110,17 +110,17 @@ def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
 
 
 def look_up(printed: Printed, said: Mapping[str, T]) -> T | None:
-    """Return what is said of an equation, by its name or a label."""
+    """Return the entry about an equation, by its name or a label."""
     return next((said[key] for key in (printed.name, *printed.labels) if key in said), None)
 
 
 def is_listed(printed: Printed, names: Sequence[str]) -> bool:
-    """Return whether an equation is among those that are named."""
+    """Return whether an equation is among those named."""
     return any(key in names for key in (printed.name, *printed.labels))
 
 
 def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> bool:
-    """Return whether a letter and its derivatives stand in one equation, and in nothing unread."""
+    """Return whether a letter, with derivatives, occurs in one equation and in no unread text."""
     steps = known.symbols.find_steps(symbol)[1] if with_rates else (symbol,)
     names = {name for v in known.symbols.variables if v.symbol in steps for name in v.latex}
     unread = write_plain(known.unread)
@@ -132,9 +132,9 @@ def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> b
 
 
 def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
-    """Yield the place of the first character of each kind, and what is said of all of them.
+    """Yield a notice for replaced characters and one for look-alikes, at the first of each.
 
-    No verdict depends on it.
+    No verdict depends on these.
     """
     if met := _find(find_replaced, displays, files):
         shown = ", ".join(f"{x} (U+{ord(x):04X}) as {sign}" for x, (_, sign) in met.items())

@@ -1,10 +1,10 @@
-"""Misprints: an equation that fails, and that one small change of its print would make true.
+"""Misprints: equations that fail, and that one small change of their print would make true.
 
-A paper may state what it has not stated before. So an equation that does not follow from what is
-printed elsewhere is accused only if it fails wherever the paper's constraints are met to hold
-together, while a print that differs from it in one place, by a sign, sine for cosine, an exponent,
-a factor, another letter or a bracket, holds there. Nobody is accused whose print would have to
-become one that stands elsewhere, or the same on both sides.
+A paper may state something new. So an equation that does not follow from others is called a
+misprint only if it fails wherever the paper's constraints are found to hold together, while a
+print that differs from it in one place (a sign, sine for cosine, an exponent, a factor, another
+letter or a bracket) holds there. It is not called one if the changed print would repeat another
+equation or have two equal sides.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from mechproof.statement_domains.dimension_inference import is_angle
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "separating balls"
-# Points that are tried, at first and if too few of them fit; fitting points that are enough; points
-# at which a mended print has to hold.
+# Numbers of points: tried at first, and if too few of them fit; fitting points that suffice;
+# points at which a mended print has to hold.
 _COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
@@ -39,7 +39,7 @@ Values = Mapping[sp.Basic, sp.Expr | balls.Ball]
 
 @dataclass(frozen=True)
 class Misprint:
-    """Where an equation fails, and what mends it."""
+    """Evidence that an equation fails, and a change that mends it."""
 
     evidence: Evidence
     change: ChangedSides
@@ -54,11 +54,11 @@ def find_misprint(
     *,
     state: Callable[[Sides], Sides] = lambda sides: sides,
 ) -> Misprint | None:
-    """Return where an equation fails beside constraints, and what mends it; None if it may be true.
+    """Return where an equation fails given constraints, and what mends it; None if it may be true.
 
     `given` are the residuals of the constraints, `printed` the letters that are defined by a print.
-    What it is mended to may stand elsewhere in the paper unless the residuals `repeated` are told.
-    `state` makes of the sides, as they are printed or mended, what is compared.
+    If `repeated` is given, the mended equation must not repeat one of these residuals or a
+    definition. `state` turns sides, as printed or as mended, into the sides that are compared.
     """
     sides = state(entry.sides)
     met = {s for side in sides for s in side.free_symbols}
@@ -84,7 +84,7 @@ def find_misprint(
 
 
 def find_failure(sides: Sides, given: Sequence[sp.Expr], domain: Domain) -> Evidence | None:
-    """Return where an equation fails, if it fails wherever all constraints are met to hold."""
+    """Return where an equation fails, if it fails wherever all constraints are found to hold."""
     return _show(sides, given, domain, _find_failures(sides, given, domain))
 
 
@@ -93,8 +93,8 @@ def holds_at_rest(
 ) -> bool:
     """Return whether an equation may hold with one of the accelerations zero.
 
-    Words that are not understood may say that something moves at constant speed, but not of the
-    letter to which the equation gives another value.
+    The text may say, in words that are not understood, that something moves at constant speed; not,
+    however, of the letter that the equation gives a value.
     """
     met = {s for one in (*sides, *given) for s in one.free_symbols}
     if 0 not in sides:
@@ -110,9 +110,9 @@ def holds_at_rest(
 def _find_failures(
     sides: Sides, given: Sequence[sp.Expr], domain: Domain, others: Sequence[sp.Basic] = ()
 ) -> list[Point]:
-    """Return points at which the constraints hold and an equation fails; none if it holds at one.
+    """Return points at which constraints hold and an equation fails; none if it holds at one.
 
-    They have values for all letters that the equation and `others` are given by.
+    The points have values for all letters on which the equation and `others` depend.
     """
     resolved = domain.resolve(sides[0]), domain.resolve(sides[1])
     parts = [*resolved, *map(domain.resolve, others), *given]
@@ -133,7 +133,7 @@ def _find_failures(
 
 
 def agree(sides: Sides, values: Values, *, are_angles: bool = False) -> bool | None:
-    """Return whether sides have the same value, angles the same direction; None without a value."""
+    """Return whether sides have the same value, angles the same direction; None without values."""
     try:
         one, other = (balls.evaluate(side, values) for side in sides)
     except (NotImplementedError, KeyError):
@@ -145,7 +145,7 @@ def agree(sides: Sides, values: Values, *, are_angles: bool = False) -> bool | N
 
 
 def _holds_often(sides: Sides, places: Sequence[Values], *, are_angles: bool) -> bool:
-    """Return whether sides agree at some of the places: at the first few at least at one."""
+    """Return whether sides agree at `FEW` places or more, one of them among the first `FEW`."""
     if not any(agree(sides, values, are_angles=are_angles) for values in places[:FEW]):
         return False
     return sum(agree(sides, values, are_angles=are_angles) is True for values in places) >= FEW
@@ -163,11 +163,11 @@ def _is_trivial(
     *,
     are_angles: bool,
 ) -> bool:
-    """Return whether an equation says nothing, or what stands elsewhere up to a number.
+    """Return whether an equation says nothing, or repeats another one up to a factor.
 
-    A letter that is a function of itself says nothing of others. The definition of a letter that
-    stands alone is put in, too, and zero for letters that it defines to be zero. Angles may differ
-    by whole turns.
+    A letter given as a function of itself says nothing about others. The equation is also tested
+    with the definition of a letter that is alone on a side, and with zero for letters defined as
+    zero. Angles may differ by whole turns.
     """
     if any(one.is_Symbol and other.free_symbols == {one} for one, other in (sides, sides[::-1])):
         return True
@@ -190,7 +190,7 @@ def _take_turns_out(angle: sp.Expr) -> sp.Expr:
 def _show(
     sides: Sides, given: Sequence[sp.Expr], domain: Domain, points: Sequence[Point]
 ) -> Evidence | None:
-    """Return the evidence of two values where all that is given holds, None if none is shown."""
+    """Return two separate enclosures of the sides where all constraints hold, or None."""
     resolved = domain.resolve(sides[0]), domain.resolve(sides[1])
     met = {s for part in (*resolved, *given) for s in part.free_symbols}
     for point in points:

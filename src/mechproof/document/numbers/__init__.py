@@ -1,1 +1,1 @@
-"""Numbers of a paper: sizes, units, calculations and tables, and what formulas give there."""
+"""Numbers of a paper: sizes, units, calculations and tables, and formulas evaluated at sizes."""

@@ -1,8 +1,8 @@
 r"""Calculations with units, `\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}`: worked out, in SI.
 
-A member that has numbers with units and no letter is the size that it gives. Beside a number, and
-beside one another, calculations lie between what their rounded decimals allow. Of these those are
-exact that the block says to be sizes, and what is exactly what an exact one before it gives.
+A member with units and without letters is the size that it evaluates to. When it is compared with
+a number or another calculation, rounded decimals make it a range. Calculations whose sizes the
+block declares are exact, as is a member exactly equal to an exact one before it.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ Span = tuple[float, float] | None
 
 
 def calculate_sizes(read: Print, bare: Collection[sp.Basic]) -> Print:
-    """Put in the sizes that members calculate; `ReadingError` for what mixes units.
+    """Put in the sizes that members calculate; raises `ReadingError` for mixed units.
 
-    `bare` are letters of which no unit is declared.
+    `bare` are letters without a declared unit.
     """
 
     def settle(chain: Chain) -> Chain:
@@ -67,7 +67,7 @@ def _calculate(read: Print, member: Node, bare: Collection[sp.Basic]) -> Node:
 
 
 def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> None:
-    """Refuse a number with a unit beside letters without any, and one with no unit of SI."""
+    """Refuse a number with a unit next to letters if one has none, or if the unit is not of SI."""
     letters = (node for node in walk(read.chains) if isinstance(node, Letter))
     without = next((letter.text for letter in letters if letter.symbol in bare), "")
     if without or weigh_unit(first.unit) is None:
@@ -79,9 +79,9 @@ def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> Non
 
 
 def find_span(read: Print, member: Node, exact: Collection[sp.Expr]) -> tuple[float, float] | None:
-    """Return between what a calculation lies whose decimals are rounded, None if it has none.
+    """Return the range of a calculation with rounded decimals, or None if it has none.
 
-    Some numbers are `exact`; beside one that is not, they may be others.
+    If all its rounded sizes are among the `exact` ones, the calculation is exact and has no range.
     """
     member = member.of if isinstance(member, Calculated) else member
     if is_number(member) or any(isinstance(node, Letter) for node in walk(member)):
@@ -100,7 +100,7 @@ def find_span(read: Print, member: Node, exact: Collection[sp.Expr]) -> tuple[fl
 
 
 def _work_out(read: Print, member: Node) -> tuple[sp.Expr, dict[sp.Basic, RoundedSize], str]:
-    """Return a member as an expression in names of its sizes and decimals, these, and its unit."""
+    """Return a member as an expression in named sizes and decimals, these sizes, and its unit."""
     found = [node for node in walk(member) if isinstance(node, Measure | Number)]
     inside = {node.number for node in found if isinstance(node, Measure)}
     names = {
@@ -132,7 +132,8 @@ def _find_scales(
 ) -> tuple[dict[sp.Basic, sp.Expr], str]:
     """Return the scales of a calculation's units in the unit of its result, and that unit.
 
-    Revolutions by the minute are turns; alone they are what they are in the result.
+    Revolutions per minute count as turns per second; if they are the only unit, the result has it,
+    too.
     """
     # Zero has any dimension, and is taken as a number.
     dimension = infer(value, {name: unit.dimension for name, unit in units.items()}) or NUMBER
@@ -159,7 +160,7 @@ def _show(node: Measure | Number) -> str:
 def add_calculations(
     read: Print, chain: Chain, signs: Sequence[Sign], exact: Collection[sp.Expr]
 ) -> list[Sign]:
-    """Return the signs of a chain, those beside calculations with their spans and formulas."""
+    """Return the signs of a chain, with formulas and ranges for those next to calculations."""
     spans = [*_find_spans(read, chain, signs, exact)]
     beside = zip(signs, [None, *signs[:-1]], pairwise(chain.members), pairwise(spans), strict=True)
     return [_add_calculation(*one) for one in beside]
@@ -169,7 +170,7 @@ def _find_spans(
     read: Print, chain: Chain, signs: Sequence[Sign], exact: Collection[sp.Expr]
 ) -> Iterator[Span]:
     last: Span = None
-    # A sign that defines a letter has no sides, the one behind it has.
+    # A sign that defines a letter has no sides, but the one after it has.
     left = [*(sign.sides[0] for sign in signs), None]
     right = [None, *(sign.sides[1] for sign in signs)]
     sides = [one if other is None else other for one, other in zip(left, right, strict=True)]
@@ -182,7 +183,7 @@ def _find_spans(
 
 
 def _is_calculated(side: Any) -> bool:
-    """Return whether a side is a number that is worked out at once."""
+    """Return whether a side is a number that can be evaluated directly."""
     if not isinstance(side, sp.Expr) or side.is_Matrix or side.free_symbols or side.has(*ENDLESS):
         return False
     with suppress(NotImplementedError):
@@ -193,7 +194,7 @@ def _is_calculated(side: Any) -> bool:
 def _add_calculation(
     sign: Sign, before: Sign | None, nodes: tuple[Node, ...], spans: tuple[Span, Span]
 ) -> Sign:
-    """Return a sign beside a calculation, with the formula before it, and the span."""
+    """Return a sign next to a calculation, with the formula before it and its range."""
     if not sign.number and all(map(_is_calculated, sign.sides)):
         units = {node.unit if isinstance(node, Calculated) else "" for node in nodes}
         span = _subtract(sign.sides, spans)

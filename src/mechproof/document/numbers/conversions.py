@@ -1,7 +1,7 @@
-"""Numbers beside numbers: the same in another unit, or what an irrational one rounds to.
+"""Numbers equated with numbers: conversions of units, and roundings of irrational numbers.
 
-Of decimals that are factors, c = 1.41 a, what stands beside each is put on the other side, which is
-the number then that was rounded to it.
+In an equation with a decimal as a factor, c = 1.41 a, the rest is moved to the other side, which
+is then the number that was rounded.
 """
 
 from __future__ import annotations
@@ -32,9 +32,10 @@ _OPEN = "the two sides differ, but a decimal may have been rounded"
 
 
 def convert(sign: Sign, symbols: Symbols) -> PrintedNumber | str:
-    """State that a number with a unit is the same in another, or in that of a letter.
+    """State that a number with a unit is the same in another unit, or in that of a letter.
 
-    Either of the two may be rounded.
+    Either of the two may be rounded. Returns the reason if the units do not fit or nothing is
+    shown.
     """
     own, digits, unit = sign.own, sign.given[0], read_unit(sign.given[1])
     meant = [read_unit(sign.unit)] if sign.unit else [*_list_units(own, unit, symbols)]
@@ -56,7 +57,7 @@ def convert(sign: Sign, symbols: Symbols) -> PrintedNumber | str:
 
 
 def _list_units(own: sp.Basic | None, unit: Unit, symbols: Symbols) -> Iterator[Unit]:
-    """Yield in which units a number without any may count, beside one in this unit."""
+    """Yield the units that a number without a unit may have, equated with one in `unit`."""
     dimension = symbols.find_dimension(own) if own is not None else None
     if dimension is not None:
         yield Unit(dimension, symbols.scales[own])
@@ -67,9 +68,9 @@ def _list_units(own: sp.Basic | None, unit: Unit, symbols: Symbols) -> Iterator[
 def _list_turns(
     unit: Unit, others: Sequence[Unit], own: sp.Basic | None, symbols: Symbols
 ) -> list[sp.Expr]:
-    """Return what turns are besides radians where they are counted: 2 pi rad/s are 1/s.
+    """Return the other factor between units if turns are counted: 1/s may be 2 pi rad/s.
 
-    For an angular velocity that is declared in rad/s, 1/s is the same.
+    None for an angular velocity that is declared in rad/s, as 1/s then means the same.
     """
     counted = [one.scale == REVOLUTIONS for one in (unit, *others)]
     dimension = symbols.find_dimension(own) if own is not None else None
@@ -83,7 +84,7 @@ def _list_turns(
 
 
 def tell_misfit(sign: Sign, symbols: Symbols) -> str:
-    """Say that a letter is printed in a unit of another dimension than its own; nothing if not."""
+    """Return the reason that a letter's printed unit has not its dimension, or ""."""
     own = symbols.find_dimension(sign.letter) if sign.letter is not None else None
     if not sign.unit or own is None or read_unit(sign.unit).dimension == own:
         return ""
@@ -92,7 +93,7 @@ def tell_misfit(sign: Sign, symbols: Symbols) -> str:
 
 
 def counts_in_degrees(sign: Sign) -> bool:
-    """Return whether a number is that of a calculation whose angles are in degrees, unsaid."""
+    """Return whether a number is that of a calculation whose angles are in unmarked degrees."""
     if not sign.number or not isinstance(sign.value, sp.Expr) or sign.value.free_symbols:
         return False
     turned = sign.value.replace(
@@ -103,21 +104,21 @@ def counts_in_degrees(sign: Sign) -> bool:
 
 
 def may_count(number: sp.Expr, unit: Unit) -> bool:
-    """Return whether a formula of numbers may count in a unit; degrees are radians there."""
+    """Return whether a formula of numbers may count in a unit; degrees count as radians there."""
     is_turned = unit.dimension.is_angle and unit.scale != 1 and not number.is_rational
     return not (is_share(unit) or is_turned)
 
 
 def differs_by_unit(value: sp.Expr, number: Numeral) -> bool:
-    """Return whether a number is a value in a unit that is a thousand times as large, or small."""
+    """Return whether a number is a value in a unit 10^3 or 10^6 times as large or small."""
     factors = (sp.Integer(10) ** power for power in (-6, -3, 3, 6))
     return any(is_near(value * factor, number, {}) for factor in factors)
 
 
 def round_irrational(sign: Sign) -> PrintedNumber | str | None:
-    """State that a number beside an irrational one is rounded, as it is if it has enough digits.
+    """State that a number is a rounded irrational one; None if it has too few digits.
 
-    Zeros at its end may be no digits.
+    Zeros at its end may not be significant. Returns the reason if only they explain the difference.
     """
     number = Numeral(sign.number, sp.S.One)
     if sign.value.is_rational is not False or number.is_decimal or abs(number.value) < 10:
@@ -129,10 +130,10 @@ def round_irrational(sign: Sign) -> PrintedNumber | str | None:
 
 
 def judge_factor(task: Task) -> Judgement | str:
-    """Judge the one decimal of an equation that is a factor, where both sides agree otherwise.
+    """Judge the only decimal of an equation, a factor, if both sides agree but for a number.
 
-    A number that is no rounding of the recomputed one accuses nobody where more may have been
-    rounded: another decimal, or one in the definition of a letter.
+    A wrong rounding is not refuted if other numbers may have been rounded, too: another decimal, or
+    one in the definition of a letter.
     """
     number, sides = task.sign.factor, task.sign.sides
     if not (number and isinstance(task.row.says, Equality)):
