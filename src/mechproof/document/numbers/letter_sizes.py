@@ -1,9 +1,9 @@
 """The sizes of letters at which formulas are compared with numbers.
 
-They are those that the block declares, else those that the paper prints, if it prints no others.
-Numbers that equations print of letters are sizes, or results that may have been rounded. Sentences
-state some anew: "with d=20 mm we have instead" behind sizes d=16 mm. A sentence may also choose one
-for a letter that a formula gives: "we choose M16 with A=157 mm²".
+They are the sizes that the block declares, or else those that the paper prints, if it prints no
+others for the letter. A number that an equation prints for a letter is a size, or a result that may
+have been rounded. Sentences may restate sizes, "with d=20 mm we have instead" after sizes d=16 mm,
+or choose one for a letter that a formula gives: "we choose M16 with A=157 mm²".
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ from mechproof.sources.displays import Printed
 from mechproof.sources.paper_files import Source
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
-# The word behind a formula, which may be its unit.
+# The word after a formula, which may be its unit.
 _NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")
 
 
 @dataclass(frozen=True)
 class PrintedSize:
-    """A size that an equation prints, in units of its letter; of one without any, in its own."""
+    """A size that an equation prints, in the unit of its letter or else in its own unit."""
 
     size: RoundedSize
     head: Head
@@ -44,12 +44,12 @@ class PrintedSize:
     group: int
 
     def is_zero(self, group: int) -> bool:
-        """Return whether a display says that the letter is zero."""
+        """Return whether the size is zero and is printed in the display `group`."""
         return self.group == group and self.size.value == 0
 
 
 def read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
-    """Return the size that a sign says of its letter."""
+    """Return the size that a sign gives its letter."""
     unit = read_unit(sign.unit) if sign.unit else None
     head = Head(sign.letter, str(sign.letter), unit)
     scales = Scales(known.symbols, [head])
@@ -61,9 +61,9 @@ def read_size(sign: Sign, printed: Printed, known: Known) -> PrintedSize:
 def list_numbers(
     printed: Printed, signs: Sequence[Sign], known: Known
 ) -> Iterator[tuple[sp.Basic, PrintedSize]]:
-    """Yield the letters that an equation prints a number of, as a result, in the order of print.
+    """Yield the letters for which an equation prints a number as a result, in printed order.
 
-    Whatever rounds to the number may be meant.
+    The size covers all values that round to the number.
     """
     letter = None
     for sign in signs:
@@ -78,10 +78,11 @@ def list_numbers(
 
 @dataclass(frozen=True)
 class LetterSizes:
-    """The sizes of letters; `numeric` are the displays that print nothing but numbers.
+    """The sizes of letters; `numeric` holds the displays that print nothing but numbers.
 
-    `numbers` are printed of letters that have a formula, in the `order` of the equations;
-    `restated` are sizes that sentences say, `every` are all prints of the size of a letter.
+    `numbers` has the printed results of letters that have a formula, `order` the names of the
+    equations, `restated` the sizes that sentences give, and `every` all printed sizes of each
+    letter.
     """
 
     known: Known
@@ -93,13 +94,13 @@ class LetterSizes:
     every: Mapping[sp.Basic, Sequence[tuple[Printed, Sign, PrintedSize]]]
 
     def tell(self, sign: Sign, printed: Printed) -> str:
-        """Say which printed sizes a number is compared at, and which sentences state anew."""
+        """Return a note on the printed and restated sizes at which a number is compared."""
         return self.tell_used(self.known.settle(sign.value).free_symbols, {}, printed)
 
     def tell_used(
         self, letters: Iterable[sp.Basic], numbers: Mapping[sp.Basic, PrintedSize], printed: Printed
     ) -> str:
-        """Say at which printed sizes letters are taken, of some the `numbers` of equations."""
+        """Return a note on the printed sizes of letters, some of them the results `numbers`."""
         used = {**self.list_used(letters), **{s: numbers[s] for s in letters if s in numbers}}
         sizes = (f"{s} = {_show_exactly(one.size.value)} of {one.name}" for s, one in used.items())
         restated = self.name_restated({*letters} - numbers.keys(), printed)
@@ -107,7 +108,7 @@ class LetterSizes:
         return f"At {', '.join(sizes)}. {anew}".strip() if used else anew
 
     def name_restated(self, letters: Iterable[sp.Basic], printed: Printed) -> str:
-        """Name the sizes among those of letters that a sentence before an equation states anew."""
+        """Name those sizes of letters that a sentence before an equation restates."""
         found = self.restated.list_before(printed)
         return ", ".join(
             f"{s} = {_show_exactly(found[s].value)} in line {found[s].line}"
@@ -115,25 +116,26 @@ class LetterSizes:
         )
 
     def list_all(self) -> dict[sp.Basic, RoundedSize]:
-        """Return the sizes of letters, those that the block declares before printed ones."""
+        """Return the sizes of letters; a declared size takes precedence over a printed one."""
         usual = {s: RoundedSize(value) for s, value in self.known.symbols.usual.items()}
         return {s: one.size for s, one in self.printed.items()} | usual
 
     def list_at(self, printed: Printed) -> tuple[dict[sp.Basic, sp.Expr], ...]:
-        """Return the sizes of letters, and those with which the text has stated some anew."""
+        """Return the sizes of letters, and the same with the restatements before an equation."""
         sizes = {s: size.value for s, size in self.list_all().items()}
         return sizes, sizes | {s: x.value for s, x in self.restated.list_before(printed).items()}
 
     def list_used(self, letters: Iterable[sp.Basic]) -> dict[sp.Basic, PrintedSize]:
-        """Return the printed sizes among those at which a formula of letters is compared."""
+        """Return the printed sizes that a formula of these letters is compared at."""
         declared = self.known.symbols.usual
         used = {s: self.printed[s] for s in letters if s in self.printed and s not in declared}
         return dict(sorted(used.items(), key=lambda one: str(one[0])))
 
     def find_own(self, sign: Sign) -> sp.Basic | None:
-        """Return a letter in whose unit a number counts: its own, or of a sum one of its letters.
+        """Return a letter whose unit a number has: its own, or for a sum one of the sum's letters.
 
-        A unit behind the number is enough where the letters have units.
+        None if the number has a unit and its formula's dimension is known but its letter has no
+        unit.
         """
         symbols, dimension, own = self.known.symbols, self.infer(sign.value), sign.own
         if own is not None:
@@ -142,7 +144,7 @@ class LetterSizes:
         return own if dimension == symbols.find_dimension(own) else None
 
     def infer(self, value: Any) -> Dimension | None:
-        """Return the dimension of a value, None where its letters have none or it mixes some."""
+        """Return the dimension of a value, or None if it mixes some or a letter has none."""
         known = {s: self.known.symbols.find_dimension(s) for s in value.free_symbols}
         known |= {
             s: one.head.unit.dimension
@@ -156,7 +158,7 @@ class LetterSizes:
             return None
 
     def fits(self, value: sp.Expr, own: sp.Basic | None, unit: Unit) -> bool:
-        """Return whether a formula may be counted in a unit; with a letter as far as is known."""
+        """Return whether a formula may be a number in a unit, as far as dimensions are known."""
         found = self.infer(value)
         return found == unit.dimension or (
             own is not None and (found is None or may_turn_units(value))
@@ -169,7 +171,7 @@ class LetterSizes:
         unit: Unit | None,
         numbers: Iterable[PrintedSize] = (),
     ) -> Iterator[sp.Expr]:
-        """Yield what formulas may give, in the unit behind the number."""
+        """Yield the values that formulas may have as numbers in the printed unit."""
         heads = (one.head for one in (*self.printed.values(), *numbers))
         scales = Scales(self.known.symbols, heads, [own] if unit and own else [])
         if own or unit is None:
@@ -184,7 +186,7 @@ class LetterSizes:
                 yield formula
 
     def list_numbers(self, sign: Sign, printed: Printed) -> dict[sp.Basic, PrintedSize]:
-        """Return the last numbers of letters that have a formula, before an equation."""
+        """Return the last results printed before an equation for letters that have a formula."""
         before = self.order[: self.order.index(printed.name)]
         return {
             s: one
@@ -199,7 +201,7 @@ def collect_sizes(
     known: Known,
     restated: RestatedSizes,
 ) -> LetterSizes:
-    """Collect the sizes that are printed; a letter that is printed with two of them has none."""
+    """Collect the printed sizes; a letter that is printed with two different sizes has none."""
     read = [(one, [] if isinstance(signs, Left) else signs) for one, signs in equations]
     every: dict[sp.Basic, list[tuple[Printed, Sign, PrintedSize]]] = {}
     numbers: dict[sp.Basic, list[PrintedSize]] = {}
@@ -225,9 +227,9 @@ def collect_sizes(
 def list_zeros(
     printed: Printed, signs: Sequence[Sign], equations: Sequence[Printed], sizes: LetterSizes
 ) -> dict[sp.Basic, sp.Expr]:
-    """Return the zeros that letters without a formula are said to be beside a print or before it.
+    """Return zeros for letters without a formula that are said to be zero near a print.
 
-    An equation that prints such a letter, or a derivative of it, is meant for other values, too.
+    An equation that prints such a letter, or a derivative of it, holds for other values, too.
     """
     known = sizes.known
     steps = ((s, known.symbols.find_steps(s)[1]) for one in signs for s in one.printed)
@@ -253,7 +255,7 @@ def _show_exactly(value: sp.Expr) -> str:
 
 @dataclass(frozen=True)
 class Restated:
-    """A size that a sentence says of a letter, in its unit, and at which place and line."""
+    """A size that a sentence gives a letter, in the letter's unit, with its place and line."""
 
     letter: sp.Basic
     value: sp.Expr
@@ -262,10 +264,10 @@ class Restated:
 
 
 class RestatedSizes:
-    """What sentences say of the sizes of letters, in the order of the text."""
+    """The sizes that sentences give letters, in the order of the text."""
 
     def __init__(self, source: Source, symbols: Symbols) -> None:
-        """Find the sentences that say sizes; sums and formulas are skipped."""
+        """Find the sentences that give sizes; sums and formulas are skipped."""
         self.usual = symbols.usual
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
         letters = {name: v.symbol for v in symbols.variables for name in v.latex}
@@ -273,7 +275,7 @@ class RestatedSizes:
         self.quantities = [*find_quantities(source)]
 
     def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
-        """Return the sizes that hold at an equation and are not those of the block."""
+        """Return the sizes in force at an equation that differ from the block's."""
         place = self._find_place(printed)
         last = {one.letter: one for one in self.found if one.place < place}
         return {
@@ -283,7 +285,7 @@ class RestatedSizes:
         }
 
     def list_quantities(self, printed: Printed) -> list[SaidQuantity]:
-        """Return what sentences before an equation say without a letter, the last first."""
+        """Return quantities without a letter from sentences before an equation, the last first."""
         place = self._find_place(printed)
         return [one for one in reversed(self.quantities) if one.place < place]
 
@@ -310,7 +312,7 @@ def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> 
 
 
 def _find_behind(one: Inline, source: Source, letter: sp.Basic, symbols: Symbols) -> Unit | None:
-    """Return the unit in the words behind a formula, if it is one of the letter's dimension."""
+    """Return the unit that follows a formula, if it has the letter's dimension."""
     word = _NEXT.match(source.text.string, one.end)
     unit = find_unit(word[1]) if word and word[1] != "in" else None
     return unit if unit and unit.dimension == symbols.find_dimension(letter) else None

@@ -1,6 +1,6 @@
-"""Numbers of formulas at the sizes of letters: what each says, or why that is not judged.
+"""Numbers of formulas at the sizes of letters: what each states, or why it is not judged.
 
-A number that is not the one at the sizes may have been rounded, or be meant at others.
+A number that differs from the value at the sizes may have been rounded, or be meant at others.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from mechproof.record import NUMBER, Equality, PrintedNumber
 from mechproof.record.unit_notation import Unit, read_unit
 from mechproof.sources.displays import Printed
 
-# A number of one digit, or with zeros at its end that may be no digits.
+# A number of one digit, or with zeros at its end that may not be significant.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
 _FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
 SINGLE = "a single value: nothing says for which sizes, or to how many digits"
@@ -43,9 +43,9 @@ _BARE = "it holds for the numbers as they stand, but not in the units of their l
 def state_number(
     at: LetterSizes, sign: Sign, printed: Printed
 ) -> PrintedNumber | Equality | str | None:
-    """State what a number says: at sizes, or of letters without; or say why nothing is.
+    """State a number as a value at sizes or as an equation of letters, or say why not.
 
-    None is what says of its letters what any equation does.
+    None means that it constrains its letters like any other equation.
     """
     if not sign.number:
         return SINGLE
@@ -67,7 +67,7 @@ def state_number(
 
 
 def _constrain(at: LetterSizes, sign: Sign) -> Equality | str | None:
-    """State what a number says of letters whose sizes are not all known."""
+    """State a number as an equation of letters whose sizes are not all known."""
     value, number = sign.value, sp.Rational(sign.number)
     scales, dimension = Scales(at.known.symbols), at.infer(sign.value)
     if not sign.unit:
@@ -81,7 +81,7 @@ def _constrain(at: LetterSizes, sign: Sign) -> Equality | str | None:
 
 
 def _round(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | Equality | str:
-    """Return what a number says of a formula at the sizes, or why that is not judged."""
+    """State a number as a formula's value at the sizes, or return why it is not judged."""
     formulas = _find_formulas(at, sign)
     if isinstance(formulas, str):
         return _round_as_said(at, sign, printed) or formulas
@@ -111,7 +111,7 @@ def _round(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | Equ
 
 
 def _round_as_said(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | str:
-    """State that a number is that of a formula at sizes that sentences say, if it is."""
+    """State a number as a formula's value at sizes that sentences give; "" if it is not."""
     sizes, unit = at.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
     settled = (at.known.settle(sign.value), at.known.settle(sign.value, stop=sizes))
     formulas = [x for x in settled if x != sign.letter and x.free_symbols <= sizes.keys()]
@@ -127,7 +127,7 @@ def _round_as_said(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumb
 def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | str:
     """Return the formulas of a number at the sizes, or why there are none.
 
-    A formula that is zero says something of letters whose sizes are not known.
+    A formula equal to zero constrains letters whose sizes are not known.
     """
     declared, sizes = at.known.symbols.usual, at.list_all()
     value = at.known.settle(sign.value)
@@ -144,7 +144,7 @@ def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | st
 def _excuse(
     at: LetterSizes, sign: Sign, printed: Printed, read: Sequence[sp.Expr], nearest: PrintedNumber
 ) -> str:
-    """Say what may have been meant by a number that is not the one at the sizes."""
+    """Return what else may have been meant by a number that differs from the value at the sizes."""
     if names := at.name_restated(at.known.list_used(sign.value), printed):
         return _RESTATED.format(names)
     number, sizes = Numeral(sign.number, sp.S.One), at.list_all()
@@ -159,7 +159,7 @@ def _excuse(
 
 
 def _doubt(at: LetterSizes, value: sp.Expr, unit: Unit | None, printed: Printed) -> str:
-    """Say why a number may not be meant at the sizes that are printed."""
+    """Return a reason to doubt that a number is meant at the printed sizes, or ""."""
     used = at.list_used(value.free_symbols)
     units = {one.head.unit for one in used.values()}
     if unit is None and len(units) > 1 and at.infer(value) != NUMBER:
@@ -171,7 +171,7 @@ def _doubt(at: LetterSizes, value: sp.Expr, unit: Unit | None, printed: Printed)
 
 
 def _name_rounded(at: LetterSizes, sign: Sign, printed: Printed) -> str:
-    """Return with which numbers before it one agrees, as far as these may have been rounded."""
+    """Return the earlier rounded numbers with which a number agrees, if they may be rounded."""
     last = at.list_numbers(sign, printed)
     rounded = {s: one for s, one in last.items() if not _is_exact(at, one)}
     letters = at.known.settle(sign.value, stop=rounded).free_symbols
@@ -183,7 +183,7 @@ def _name_rounded(at: LetterSizes, sign: Sign, printed: Printed) -> str:
 
 
 def _name_said(at: LetterSizes, sign: Sign, printed: Printed) -> str:
-    """Return which letter has a quantity that a sentence says if a number agrees with it."""
+    """Return the letter and the stated quantity with which a number agrees, or ""."""
     known, scales = at.known, Scales(at.known.symbols)
     letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
     for letter in sorted(letters - known.symbols.usual.keys(), key=str):
@@ -202,7 +202,7 @@ def _is_near_at(
     given: Mapping[sp.Basic, RoundedSize],
     numbers: Iterable[PrintedSize] = (),
 ) -> bool:
-    """Return whether a number may be that of its formula at sizes of letters with a formula."""
+    """Return whether a number may be its formula's value with these sizes of derived letters."""
     formula = at.known.settle(sign.value, stop=given)
     letters, sizes = formula.free_symbols, at.list_all() | {**given}
     if not (letters & given.keys() and letters <= sizes.keys()):
@@ -213,7 +213,7 @@ def _is_near_at(
 
 
 def _is_exact(at: LetterSizes, one: PrintedSize) -> bool:
-    """Return whether the number of a letter is that of its formula, without any rounding."""
+    """Return whether the printed number of a letter is its formula's exact value."""
     letter, sizes = one.head.symbol, at.list_all()
     formula = at.known.settle(letter)
     exact = {s: size.value for s, size in sizes.items()}
@@ -223,23 +223,23 @@ def _is_exact(at: LetterSizes, one: PrintedSize) -> bool:
 
 
 def _are_beside(at: LetterSizes, used: Iterable[PrintedSize], group: int) -> bool:
-    """Return whether nothing but numbers stands between sizes and the display of a number."""
+    """Return whether only displays of numbers lie between sizes and the display of a number."""
     groups = {group, *(one.group for one in used)}
     return {*range(min(groups) + 1, max(groups))} <= at.numeric
 
 
 def tell_missing(letters: Iterable[sp.Basic]) -> str:
-    """Say which sizes a formula needs that nothing says."""
+    """Return the reason that a formula needs undeclared sizes."""
     return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
 
 
 def measure_off(value: sp.Expr, number: sp.Expr) -> float:
-    """Return how far a number is from the value that is stated of it."""
+    """Return how far a number is from the value stated for it, infinity if that is no number."""
     off = sp.Abs(value - number).evalf()
     return float(off) if off.is_Float else math.inf
 
 
 def _is_sum(value: Any) -> bool:
-    """Return whether a value is a sum of letters, of which each may have a number before it."""
+    """Return whether a value is a sum of letters, each possibly with a coefficient."""
     terms = sp.Add.make_args(value) if isinstance(value, sp.Add) else ()
     return bool(terms) and all(term.as_coeff_Mul()[1] in value.free_symbols for term in terms)

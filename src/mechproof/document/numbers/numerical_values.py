@@ -1,8 +1,9 @@
-r"""Equations between numerical values, Q = Vn/1000: they hold for numbers in the units of letters.
+r"""Equations between numerical values, Q = Vn/1000: they hold for numbers in their letters' units.
 
-Beside one of quantities, Q = Vn, such an equation has a factor that turns units (ISO 80000-1, 6.3).
-Numbers with a unit beside an inequality, `F<5\,\mathrm{kN}`, are taken in the unit of the other
-side: angles are radians, and nothing is said of letters whose units are not declared.
+Compared with an equation between quantities, Q = Vn, such an equation has an extra factor that
+converts units (ISO 80000-1, 6.3). A number with a unit in an inequality, `F<5\,\mathrm{kN}`, is
+converted to the unit of the other side: angles count as radians, and a letter without a declared
+unit leaves it open.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ OPEN = "the sides differ by a factor of {} only, which may turn units: in which 
 _NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
 _AGAIN = (Role.REPEATED, Role.DERIVATIVE)
 _ROLES = (Role.STEP, Role.CONSTRAINT, *_AGAIN)
-# Factors between units are products of these primes, and larger than counts of parts are.
+# Factors between units are products of these primes, and larger than counts of parts.
 _PRIMES = (2, 3, 5)
 _LEAST = 30
 # Fewest digits of a factor that may be rounded, and the relative error of doubles.
@@ -39,7 +40,7 @@ _ZERO = "{} and the other side count from different zeros"
 
 
 def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:
-    """State a row as one of numerical values if it is one, or say why it may be."""
+    """State a row between numerical values as such, or return why it may be one."""
     own = sign.own or sign.letter
     sides = _list_sides(row, sign, known)
     settled = [known.settle(side) for side in sides]
@@ -62,7 +63,7 @@ def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:
 
 
 def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
-    """Return the sides of a print that is compared with another; of a letter its first print."""
+    """Return the sides of a comparison of prints, with a letter replaced by its first print."""
     if sign.role not in _ROLES or not isinstance(row.says, Equality):
         return []
     sides = [row.says.printed, row.says.rebuilt]
@@ -76,7 +77,7 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
 
 @dataclass(frozen=True)
 class _Numbers:
-    """The sides as numbers in the units of their letters, where all of these are known."""
+    """Turns sides into numbers in the units of their letters, if all these are known."""
 
     known: Known
     scales: Scales
@@ -84,7 +85,7 @@ class _Numbers:
     def list_pairs(
         self, sides: Sequence[sp.Expr], own: sp.Basic
     ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-        """Yield the sides as they stand, both turned into units, and one that is of quantities."""
+        """Yield the sides as they stand, both converted, then only the side of quantities."""
         stand = [self._put_in(side) for side in sides]
         turned = [self._turn(side, own) for side in sides]
         pairs = [stand, turned]
@@ -96,12 +97,12 @@ class _Numbers:
                 yield one, other
 
     def _turn(self, side: sp.Expr, own: sp.Basic) -> sp.Expr | None:
-        """Return what a side is in the unit of a letter; None if it turns units itself."""
+        """Return a side as a number in a letter's unit; None if the side itself converts units."""
         value = None if _turns_units(side) else self.scales.turn(side, own)
         return None if value is None else self._put_in(value)
 
     def _put_in(self, value: sp.Expr) -> sp.Expr:
-        """Put in the numbers that letters are by their definitions: of quantities, or numbers."""
+        """Put in letters' definitions as numbers: converted from quantities, or as they stand."""
         values = self.known.values
         given = [s for s in value.free_symbols if isinstance(values.get(s), sp.Expr)]
         numbers = {s: self._turn(values[s], s) for s in given}
@@ -111,7 +112,7 @@ class _Numbers:
 
 
 def _find_quantity(sides: Sequence[sp.Expr]) -> int | None:
-    """Return which side is of quantities: the other turns units, or has the larger factor."""
+    """Return which side is of quantities: the other converts units, or has the larger factor."""
     turning = [_turns_units(side) for side in sides]
     if any(turning):
         return None if all(turning) else turning.index(False)
@@ -121,7 +122,7 @@ def _find_quantity(sides: Sequence[sp.Expr]) -> int | None:
 
 
 def _find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
-    """Return the ratio of sides if it is the same at two points, as doubles tell."""
+    """Return the ratio of two sides if it is equal at two points, within double precision."""
     letters = sorted(one.free_symbols | other.free_symbols, key=str)
     ratios = []
     for step in (3, 5):
@@ -134,13 +135,13 @@ def _find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
 
 
 def _turns_units(formula: sp.Expr) -> bool:
-    """Return whether a formula has a number that may turn units, 60, 1000 or 3.6: not 16 or 384."""
+    """Return whether a formula's number may convert units: 60, 1000 or 3.6, but not 16 or 384."""
     numbers = formula.atoms(sp.Rational)
     return any(one.q % 5 == 0 or (one.p and one.p % 10 == 0) for one in numbers)
 
 
 def _is_rounded(ratio: float, sides: Sequence[sp.Expr]) -> bool:
-    """Return whether rounding of a number of enough digits explains a ratio."""
+    """Return whether a ratio is explained by rounding a number of at least `_DIGITS` digits."""
     read = {one for side in sides for one in side.atoms(sp.Rational) if not _is_decimal(one)}
     for number in {abs(n) for one in read for n in (one.p, one.q)}:
         digits = str(number).rstrip("0")
@@ -151,12 +152,12 @@ def _is_rounded(ratio: float, sides: Sequence[sp.Expr]) -> bool:
 
 
 def _is_decimal(number: sp.Rational) -> bool:
-    """Return whether a number has decimals: whether these are rounded is judged elsewhere."""
+    """Return whether a number has decimals; their rounding is judged elsewhere."""
     return number.q > 1 and {*sp.primefactors(number.q)} <= {2, 5}
 
 
 def is_of_units(ratio: sp.Expr) -> bool:
-    """Return whether a number may be a factor of units: no large prime, and no count of parts."""
+    """Return whether a number may be a factor of units: of small primes, and no count of parts."""
     number = ratio.subs(sp.pi, 1)
     if (
         not number.is_Rational
@@ -173,7 +174,7 @@ class _LimitError(ValueError):
 
 
 def state_limit(row: Row, sign: Sign, known: Known) -> Row | str:
-    """State an inequality whose sides are numbers in one unit, or say why it is not judged."""
+    """State an inequality with both sides in one unit, or return why it is not judged."""
     if not (any(sign.units) and isinstance(row.says, Holds)):
         return row
     one, other = sign.limited
@@ -190,7 +191,10 @@ def state_limit(row: Row, sign: Sign, known: Known) -> Row | str:
 
 
 def _find_unit(side: sp.Expr, number: sp.Expr, unit: str, known: Known) -> Unit:
-    """Return in which unit a formula of numbers in the units of their letters is a number."""
+    """Return the unit of a formula evaluated with numbers in its letters' units.
+
+    Raises `_LimitError`, about `number`, if that unit is not known.
+    """
     settled = known.settle(side)
     formula = settled if settled.free_symbols else side
     letters = (side + formula).free_symbols
@@ -212,7 +216,7 @@ def _find_unit(side: sp.Expr, number: sp.Expr, unit: str, known: Known) -> Unit:
 
 
 def _turn(number: sp.Expr, unit: str, meant: Unit) -> sp.Expr:
-    """Return a number in another unit."""
+    """Return a number converted to another unit; raises `_LimitError` if it cannot be."""
     own = read_unit(unit)
     if own.dimension != meant.dimension:
         raise _LimitError(_MISFIT.format(unit, own.dimension, meant.dimension))
@@ -226,7 +230,7 @@ def _turn(number: sp.Expr, unit: str, meant: Unit) -> sp.Expr:
 
 
 def _find_scale(formula: sp.Expr, known: Known) -> sp.Expr | None:
-    """Return how large the unit of a formula is in SI; None if letters have units of their own."""
+    """Return a formula's unit in SI units; None if its letters' units do not factor out."""
     names = {s: sp.Dummy(str(s), positive=True) for s in formula.free_symbols}
     plain, turned = (x.xreplace(names) for x in (formula, Scales(known.symbols).to_si(formula)))
     ratio = sp.simplify(turned / plain)

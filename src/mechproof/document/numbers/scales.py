@@ -1,4 +1,4 @@
-"""Numbers at sizes: what a formula gives for the printed sizes of its letters, in their units."""
+"""Numbers at sizes: the values of formulas at printed sizes of their letters, in their units."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ _DEGREE = sp.pi / 180
 _TURN = 2 * sp.pi
 # Revolutions named n are counted; under any other name they are angular velocities.
 _COUNTED = re.compile(r"[nN](?![A-Za-z])")
-# Numbers from here on turn units, as 60 s or 1000 mm do; smaller ones count parts or halves.
+# Numbers from here up convert units, as 60 s or 1000 mm do; smaller ones count parts or halves.
 _FACTOR = 10
 
 
 @dataclass(frozen=True)
 class RoundedSize:
-    """A size of a line in the unit of its letter, and half of its last place if it is rounded."""
+    """A size in the unit of its letter, and half of its last place if it is rounded."""
 
     value: sp.Expr
     half: sp.Expr = sp.S.Zero
@@ -36,7 +36,7 @@ class RoundedSize:
 
 @dataclass(frozen=True)
 class Result:
-    """A number that a formula gives: its name and place, what it counts, the sizes of its line."""
+    """A number that a formula gives: its name, place, head and unit, and its line's sizes."""
 
     name: str
     offset: int
@@ -51,26 +51,26 @@ class Result:
         return f"{self.head.printed}={self.number.digits}"
 
     def describe(self) -> str:
-        """Say at which sizes the number is meant."""
+        """Return a description of the number and the sizes at which it is meant."""
         sizes = ", ".join(f"{symbol} = {size.value}" for symbol, size in self.sizes.items())
         return f"{self.head.symbol} = {self.number.digits} at {sizes or 'the declared sizes'}"
 
     def state(self, formula: sp.Expr) -> PrintedNumber:
-        """State that a formula has the number that is printed."""
+        """State that a formula has the printed number as its value."""
         values = {symbol: size.value for symbol, size in self.sizes.items()}
         return PrintedNumber(self.number.digits, formula.xreplace(values) / self.factor)
 
     def choose(self, reading: Sequence[sp.Expr]) -> sp.Expr | None:
-        """Return the branch of a reading that gives the number, None if no one is shown to."""
+        """Return the branch of a reading that is shown to give the number, or None."""
         return next((f for f in reading if agrees(self.state(f))), None)
 
     def is_near(self, formula: sp.Expr) -> bool:
-        """Return whether the number may be that of sizes that round to those of the line."""
+        """Return whether the number may be the value at sizes that round to those of the line."""
         return is_near(formula / self.factor, self.number, self.sizes)
 
 
 def is_near(formula: sp.Expr, number: Numeral, sizes: Mapping[sp.Basic, RoundedSize]) -> bool:
-    """Return whether a number may be that of a formula at sizes that round to those given."""
+    """Return whether a number may be a formula's value at sizes that round to those given."""
     values = {symbol: spread(size) for symbol, size in sizes.items()}
     found = balls.evaluate(formula, values)
     printed = spread(RoundedSize(sp.Rational(number.digits), number.half_place))
@@ -78,36 +78,36 @@ def is_near(formula: sp.Expr, number: Numeral, sizes: Mapping[sp.Basic, RoundedS
 
 
 def agrees(says: PrintedNumber) -> bool:
-    """Return whether a number is shown to be the rounded value."""
+    """Return whether a number is proved to be the rounded value."""
     return decide_number(says, says.value).verdict is Verdict.PROVED
 
 
 def has_sixty(formula: sp.Expr) -> bool:
-    """Return whether a number of a formula may have half a minute's seconds as a factor."""
+    """Return whether a number of a formula has the factor 15, as 30, 60 and 1/60 have."""
     return any(not (one.p % 15 and one.q % 15) for one in formula.atoms(sp.Rational))
 
 
 def may_turn_units(formula: sp.Expr) -> bool:
-    """Return whether a formula may turn units itself, by a number that no count of parts is."""
+    """Return whether a formula may itself convert units, by a number too large to count parts."""
     numbers = formula.atoms(sp.Number)
     return any(one.is_Float or max(abs(one.p), one.q) >= _FACTOR for one in numbers)
 
 
 def spread(size: RoundedSize) -> balls.Ball:
-    """Return all values that round to a size."""
+    """Return the ball of all values that round to a size."""
     return balls.to_ball(size.value - size.half).union(balls.to_ball(size.value + size.half))
 
 
 class Scales:
     """The units of letters, as the block declares them or else as the heads of a table show them.
 
-    A letter without any counts as it stands.
+    A letter without a unit is a plain number.
     """
 
     def __init__(
         self, symbols: Symbols, heads: Iterable[Head] = (), shown: Iterable[sp.Basic] = ()
     ) -> None:
-        """Take the heads of a table, and letters beside whose numbers a unit is printed."""
+        """Take the heads of a table, and letters whose numbers are printed with a unit."""
         self.symbols = symbols
         heads = [h for h in heads if h.is_letter]
         units = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
@@ -117,25 +117,25 @@ class Scales:
         self.revolving |= {s for s, unit in units.items() if unit.scale == REVOLUTIONS}
 
     def convert(self, symbol: sp.Basic | None, unit: Unit | None) -> sp.Expr:
-        """Return what a unit is in that of a letter; a letter without any has it."""
+        """Return a unit in terms of a letter's unit, or 1 if the letter has none."""
         if unit is None or (symbol not in self.known and unit.dimension != NUMBER):
             return sp.S.One
         return unit.scale / self.known.get(symbol, sp.S.One)
 
     def size(self, head: Head, number: Numeral) -> RoundedSize:
-        """Return the size that a cell says."""
+        """Return the size in a cell."""
         factor = self.convert(head.symbol, number.unit or head.unit)
         half = number.half_place * number.factor * factor if number.is_decimal else sp.S.Zero
         return RoundedSize(number.value * factor, half)
 
     def are_known(self, letters: Iterable[sp.Basic]) -> bool:
-        """Return whether all units are said by the block or by heads."""
+        """Return whether the block or the heads give the units of all letters."""
         return {*letters} <= {*self.known, *self.shown, *self.symbols.branches}
 
     def to_si(self, formula: sp.Expr, angle: sp.Expr = sp.S.One) -> sp.Expr:
-        """Return what a formula of numbers in the units of their letters is in units of SI.
+        """Return a formula of numbers in the units of their letters as one in SI units.
 
-        Revolutions are radians, or counted by another `angle`.
+        Revolutions count as radians, or as multiples of another `angle`.
         """
         return formula.xreplace({s: s * self._scale(s, angle) for s in self.known})
 
@@ -143,10 +143,10 @@ class Scales:
         return self.known.get(symbol, sp.S.One) / (angle if symbol in self.revolving else 1)
 
     def turn(self, formula: sp.Expr, own: sp.Basic) -> sp.Expr | None:
-        """Return what a formula of quantities is in the unit of a letter, as a number.
+        """Return a formula of quantities as a number in the unit of a letter.
 
-        By their names all revolutions are counted, or all are angular velocities; None if they
-        differ, and where a unit is not known.
+        Going by their names, all revolutions must be counted, or all be angular velocities;
+        otherwise, or if a unit is not known, None is returned.
         """
         letters = {*formula.free_symbols, own}
         revolving = self.revolving & letters
@@ -160,10 +160,11 @@ class Scales:
     def list_values(
         self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None
     ) -> list[sp.Expr]:
-        """Return what a formula of known letters may be in a unit, else in that of its letter.
+        """Return the possible values of a formula in a unit, or else in its letter's unit.
 
-        A formula with pi may turn revolutions into radians itself; beside another frequency they
-        are no radians either. With sixty as a factor they may count by the minute as they stand.
+        A formula with pi may convert revolutions to radians itself; next to another frequency
+        revolutions are not radians either. With sixty as a factor, they may count per minute as
+        they stand.
         """
         turns = unit.scale == REVOLUTIONS if unit else own in self.revolving
         has_pi = formula.has(sp.pi)
@@ -179,12 +180,12 @@ class Scales:
         return list(dict.fromkeys(values))
 
     def _are_counted(self, letters: Iterable[sp.Basic | None]) -> bool:
-        """Return whether letters count revolutions by their names."""
+        """Return whether all revolving letters, of which there are some, count by their names."""
         revolving = self.revolving.intersection(letters)
         return bool(revolving) and all(_COUNTED.match(str(s)) for s in revolving)
 
     def _has_frequency(self, letters: Iterable[sp.Basic | None], unit: Unit | None) -> bool:
-        """Return whether a letter, or the unit behind the number, counts what has no angle."""
+        """Return whether a letter, or the number's unit, is a frequency without an angle."""
         found = [self.symbols.find_dimension(s) for s in letters if s and s not in self.revolving]
         found += [unit.dimension] if unit and unit.scale != REVOLUTIONS else []
         return any(one == FREQUENCY and not one.angle for one in found if one is not None)
@@ -192,16 +193,16 @@ class Scales:
     def list_readings(
         self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None = None
     ) -> list[tuple[sp.Expr, ...]]:
-        """Return what a formula of a letter may give, by numbers in the units of their letters.
+        """Return the readings of a letter's formula with numbers in the units of their letters.
 
-        It counts in the unit behind its number, else in that of the letter; without either it is a
-        number, or in the unit of SI. Each reading has one expression for every choice of the
+        Its values are in the unit after its number, or else in the letter's unit; without either,
+        they are numbers or in SI units. Each reading has one expression for every choice of the
         branches.
         """
         readings = []
         printed = self.convert(own, unit)
         is_bare = may_turn_units(formula) or not self._fits(formula, own, unit)
-        # A letter may count turns by the minute, and its number by the second.
+        # A letter may count turns per minute, and its number turns per second.
         by_second = unit is not None and unit == Unit(FREQUENCY) and not unit.dimension.angle
         for turned, angle in self._read_degrees(formula, own):
             if is_bare:
@@ -220,7 +221,7 @@ class Scales:
         ]
 
     def _fits(self, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None) -> bool:
-        """Return whether letters in their units give what is counted in a unit, or in its own."""
+        """Return whether the formula's dimension is that of the unit, or else of its letter."""
         wanted = unit.dimension if unit else self.symbols.find_dimension(own) if own else None
         letters = formula.free_symbols | ({own} if own and not unit else set())
         if wanted in (None, NUMBER) or not letters <= self.known.keys():
@@ -232,7 +233,7 @@ class Scales:
             return False
 
     def _has_units(self, formula: sp.Expr, own: sp.Basic | None) -> bool:
-        """Return whether the units of letters are known, or fit if other letters are numbers."""
+        """Return whether all units are known, or fit if letters without a unit are numbers."""
         letters = {*formula.free_symbols, own} - {None, *self.symbols.branches}
         if letters <= self.known.keys() or own not in self.known:
             return letters <= self.known.keys()
@@ -243,7 +244,7 @@ class Scales:
             return False
 
     def _list_turns(self, formula: sp.Expr, own: sp.Basic | None) -> list[sp.Expr]:
-        """Return by how many radians an angle may differ: turns, half ones by an arc tangent."""
+        """Return an angle's possible offsets in radians: turns, or half turns by an arctangent."""
         dimension = None if own is None else self.symbols.find_dimension(own)
         if dimension is None or not dimension.is_angle or not formula.has(*ANGLES):
             return [sp.S.Zero]
@@ -253,9 +254,9 @@ class Scales:
     def _read_degrees(
         self, formula: sp.Expr, own: sp.Basic | None
     ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-        """Yield a formula of angles in radians, and in degrees where no unit is shown.
+        """Yield a formula with angles in radians, and in degrees if no unit is shown for them.
 
-        The second is the unit of the angle that it gives.
+        The second item is the unit of the angle that the formula gives.
         """
         turning = {s for f in formula.atoms(*CIRCULAR) for s in f.free_symbols}
         angles = {s: s * _DEGREE for s in formula.free_symbols if self._may_turn(s, s in turning)}

@@ -1,8 +1,8 @@
-"""Tables of sizes and results -> rows: each result is the number of its formula at its sizes.
+"""Tables of sizes and results -> rows: each result is its formula's value at its line's sizes.
 
-A letter of which nobody knows the unit may be read in degrees, and sizes in different units as the
-numbers that they are or as lengths, times and so on: what most lines agree with is meant. A number
-that is another one only if the sizes of its line are no rounded ones is not accused.
+A letter without a known unit may be read in degrees, and sizes in different units as bare numbers
+or as lengths, times and so on: the reading with which most lines agree is meant. A number that is
+wrong only if its line's sizes are unrounded is left open.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from mechproof.record.unit_notation import Unit
 from mechproof.sources.located_text import Files, Place
 from mechproof.sources.tabulars import TableCell, Tabular
 
-# Rows that may hold the heads, as heads of groups of columns may stand above them.
+# Rows that may hold the heads, as heads of groups of columns may come above them.
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
 _NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
@@ -44,7 +44,7 @@ Numbers = Sequence[Mapping[int, Numeral | None]]
 
 @dataclass(frozen=True)
 class Grid:
-    """The heads of a table by their columns, and the lines below; a table may lie on its side.
+    """The heads of a table by column, and the lines below; a table may lie on its side.
 
     `unread` are heads with a formula that cannot be read, or that may be words.
     """
@@ -57,7 +57,7 @@ class Grid:
 
 @dataclass(frozen=True)
 class _Formulas:
-    """What gives a column, the print that says so, and what its definition lacks beyond that."""
+    """A column's formulas, the print they are from, and the letters that its definition lacks."""
 
     values: tuple[sp.Expr, ...]
     first: str
@@ -66,7 +66,7 @@ class _Formulas:
 
 @dataclass
 class _Met:
-    """What is met in a table: the letters that formulas use, and columns that may be inputs."""
+    """The letters that a table's formulas use, and the columns that may be inputs."""
 
     used: set[sp.Basic] = field(default_factory=set)
     inputs: list[tuple[sp.Basic, Left]] = field(default_factory=list)
@@ -77,7 +77,7 @@ def _tell_lack(letters: str) -> str:
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
-    """Return a table with two letters in its head, or in its first column; None for another."""
+    """Return a table with two letters in its head or its first column; None for any other table."""
     columns = [*zip(*table.rows, strict=True)]
     heads = [(row, table.rows[n:]) for n, row in enumerate(table.rows[:_HEAD_ROWS], start=1)]
     for row, lines in (*heads, (columns[0], columns[1:])):
@@ -89,7 +89,7 @@ def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
 
 
 def find_head_units(tables: Sequence[Tabular], reader: Reader) -> Iterator[tuple[str, str, int]]:
-    """Yield the letters that stand in heads, their units, and where the table stands."""
+    """Yield the letters in heads, their units, and the place of the table."""
     for table in tables:
         if grid := find_grid("", table, reader):
             for head in grid.heads.values():
@@ -103,7 +103,7 @@ def _shows_formula(cell: TableCell, reader: Reader) -> bool:
 
 
 def _take_units(grid: Grid) -> Grid:
-    """Take a line that holds nothing but units to the heads."""
+    """Move the units in a line that holds only units to the heads."""
     for number, line in enumerate(grid.lines):
         cells = {n: line[n].string for n in grid.heads}
         units = {n: find_unit(text) for n, text in cells.items()}
@@ -115,7 +115,7 @@ def _take_units(grid: Grid) -> Grid:
 
 
 class SizeTables:
-    """The tables of a paper, read with what its equations say of its letters."""
+    """The tables of a paper, read with what its equations say about its letters."""
 
     def __init__(self, known: Known, files: Files, paper: Paper) -> None:
         self.known = known
@@ -124,7 +124,7 @@ class SizeTables:
         self.told: list[tuple[Place, str]] = []
 
     def read(self, tables: Sequence[Tabular]) -> Iterator[Task | Left]:
-        """Yield a row for each result; a table without any is told."""
+        """Yield a row for each result; tables and columns not compared are noted in `told`."""
         reader = self.known.symbols.reader()
         for number, table in enumerate(tables, start=1):
             grid = find_grid(f"table {number}", table, reader)
@@ -162,7 +162,7 @@ class SizeTables:
         yield from (row for symbol, row in met.inputs if symbol not in met.used)
 
     def _refuse(self, head: Head, grid: Grid) -> str:
-        """Say why a column is not compared, nothing if it is."""
+        """Return why a column is not compared, or "" if it is."""
         symbols = self.known.symbols
         if head.words:
             return (
@@ -183,7 +183,7 @@ class SizeTables:
     def _read_column(
         self, grid: Grid, column: int, numbers: Numbers, met: _Met
     ) -> Iterator[Task | Left]:
-        """Yield the rows of the results of one letter, grouped by the formula that gives them."""
+        """Yield the rows of one letter's results, grouped by the formulas that give them."""
         head, groups = grid.heads[column], dict[_Formulas, list[Result]]()
         missing: dict[str, TableCell] = {}
         for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
@@ -224,10 +224,10 @@ class SizeTables:
                 yield row
 
     def _find_formulas(self, symbol: sp.Basic, sizes: Mapping[sp.Basic, RoundedSize]) -> _Formulas:
-        """Return what gives a letter by the sizes of a line, or which letters it lacks.
+        """Return the formulas of a letter in the sizes of a line, or the letters it lacks.
 
-        A letter that has a formula of its own may be computed or be taken, rounded, from the table.
-        A print that follows may need fewer letters than the definition.
+        A letter with its own formula may be computed, or be taken from the table, rounded. A later
+        print may need fewer letters than the definition.
         """
         usual = self.known.symbols.usual
         have = {*sizes, *usual, *self.known.symbols.branches} - {symbol}
@@ -246,7 +246,7 @@ class SizeTables:
     def _compare(
         self, formulas: _Formulas, results: Sequence[Result], grid: Grid
     ) -> Iterator[Task | Left]:
-        """Yield the rows of results, by the reading of the formula that most of them agree with."""
+        """Yield the rows of results, using the reading with which most of them agree."""
         head = results[0].head
         scales = Scales(self.known.symbols, grid.heads.values())
         own = self._find_own(head, results[0].number.unit or head.unit)
@@ -273,9 +273,9 @@ class SizeTables:
                 yield self._make_task(result, found or readings[best][0], formulas)
 
     def _find_own(self, head: Head, unit: Unit | None) -> sp.Basic | None:
-        """Return the letter in whose unit a column counts; of a formula one of those that share it.
+        """Return the letter whose unit a column has; for a formula, one of letters that share it.
 
-        A formula without one is a number, or counts in the unit of SI.
+        A formula without such a letter is a number, or counts in the SI unit.
         """
         symbols = self.known.symbols
         own = head.symbol if head.is_letter else symbols.find_alike(head.symbol.free_symbols)

@@ -1,7 +1,7 @@
-"""What a number says that is printed beside a formula, or of a letter that has one.
+"""Statements of numbers printed next to a formula, or for a letter that has one.
 
-Sizes may be put into formulas: in, a calculation beside a formula; out, what it is at which sizes.
-A size that is printed again and differs may be another case, or a misprint.
+Sizes may be put into a formula: on one side, as a calculation, or to give a number at sizes. A
+size that is printed again and differs may be another case, or a misprint.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from mechproof.record.unit_notation import Unit, is_share, read_unit
 from mechproof.sources.displays import Printed
 
 _DIFFERS = "{} is printed in {}: another case, or a misprint?"
-# Signs and words that may say for which case a number is.
+# Signs and words that may say which case a number is for.
 _CASE = re.compile(r"\\(?:text|mbox|q?quad)|[(\[|]|(?<![\\{])[,;](?!\s*\Z)|\\\\")
 _OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
 _ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
@@ -51,22 +51,22 @@ _UNSHOWN = "the calculation gives {}, but that this is in {} is not shown"
 # Relative errors allowed for results of rounded numbers, and of whole ones of few digits.
 _NEAR, _FAR = 0.01, 0.1
 
-# The claim that a formula gives the calculated number, and at which sizes.
+# The claim that a formula gives the calculated number, and a note on the sizes.
 PutIn = tuple[Equality, str]
 
 
 @dataclass(frozen=True)
 class StatedNumbers:
-    """States what numbers say, by what is known of letters and their sizes."""
+    """States what numbers say, using what is known about letters and their sizes."""
 
     known: Known
     sizes: LetterSizes
     examples: ExampleValues
 
     def state(self, printed: Printed, row: Row, sign: Sign) -> tuple[Row, Sign, bool] | str:
-        """State what a number says, if a sign is beside one, or say why that is left open.
+        """State what a number says, if a sign is next to one, or return why that is left open.
 
-        The last result tells whether it states what a number says.
+        The last item returned is whether the row now states what a number says.
         """
         is_number = sign.role is Role.VALUE and bool(sign.number) and sp.Rational(sign.number) != 0
         if is_number and not sign.value.has(sp.Limit):
@@ -104,7 +104,7 @@ class StatedNumbers:
     def _compare_size(
         self, printed: Printed, sign: Sign
     ) -> tuple[Sign, PrintedNumber | Equality | str | None]:
-        """Compare a size with what other prints say of its letter, if they say a number."""
+        """Compare a size with a number that other prints give its letter, if they give one."""
         said = replace(sign, role=Role.NUMBER)
         formulas = (replace(said, value=one) for one in self._list_formulas(sign.letter, printed))
         judged = [(one, state_number(self.sizes, one, printed)) for one in formulas]
@@ -114,12 +114,12 @@ class StatedNumbers:
         return next((one for one in judged if str(one[1]).startswith(OTHERS)), (sign, None))
 
     def _put_in_example(self, value: Any, printed: Printed) -> Any:
-        """Put in what letters without a size are in the example that an equation stands in."""
+        """Put in the values of an equation's worked example for letters without a size."""
         local, sized = self.examples.list_within(printed), self.sizes.list_all()
         return settle_all(value, {s: v for s, v in local.items() if s not in sized})
 
     def _list_formulas(self, letter: sp.Basic | None, printed: Printed) -> list[sp.Expr]:
-        """Return what other prints say of a letter whose size is printed."""
+        """Return the formulas that other prints give a letter whose size is printed."""
         known = self.known
         local = self.examples.list_within(printed)
         formulas = [known.values[letter]] if letter in known.values else known.arcs.get(letter, [])
@@ -131,7 +131,8 @@ class StatedNumbers:
 def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
     """Return whether rounding explains how far a number is off.
 
-    That of decimals in its calculation, or of an approximation: of a factor, of zeros at its end.
+    It may be rounding of decimals in its calculation or, in an approximation, of a factor or of
+    zeros at the end of the number.
     """
     if r"\approx" in row.printed_latex and not agrees(claim):
         is_factor = not sign.number and not is_far(claim.printed, claim.value)
@@ -140,7 +141,7 @@ def _is_rounded(row: Row, claim: PrintedNumber, sign: Sign) -> bool:
 
 
 def _doubt_size(sign: Sign, printed: Printed, sizes: LetterSizes) -> str:
-    """Say that a letter has another size before, if nothing tells that it may go on to others."""
+    """Return the reason that a letter had another size before, if no words introduce a new case."""
     letter, moving = sign.letter, sizes.known.symbols.moving
     if letter is None or not sign.number:
         return ""
@@ -163,7 +164,7 @@ def _is_case(printed: Printed) -> bool:
 
 
 def _may_be_other(before: Printed, printed: Printed) -> bool:
-    """Return whether two prints are of one display, or words between may go on to another case."""
+    """Return whether two prints share a display, or words between may introduce another case."""
     first, said = before.announced, printed.announced
     is_anew = first.passage != said.passage and (said.is_case or said.is_new)
     is_other = first.is_apart(said) or first.example.number != said.example.number
@@ -171,9 +172,10 @@ def _may_be_other(before: Printed, printed: Printed) -> bool:
 
 
 def _agree(one: tuple[Sign, PrintedSize], other: tuple[Sign, PrintedSize]) -> bool:
-    """Return whether sizes agree to the places that both have, or nothing tells that they do not.
+    """Return whether sizes agree to the places that both have, or need not be compared.
 
-    Zeros are special positions, and a number with a unit may be one without.
+    Zeros are special positions, and a number without a unit is not compared with one that has a
+    unit.
     """
     values, halves = zip(*map(_measure, (one, other)), strict=True)
     if not all(values) or (one[1].head.unit is None) != (other[1].head.unit is None):
@@ -182,14 +184,14 @@ def _agree(one: tuple[Sign, PrintedSize], other: tuple[Sign, PrintedSize]) -> bo
 
 
 def _measure(read: tuple[Sign, PrintedSize]) -> tuple[sp.Expr, sp.Expr]:
-    """Return a size, and half of its last place, in units that all sizes of a letter have."""
+    """Return a size and half of its last place, in a unit common to all sizes of its letter."""
     sign, one = read
     number, value = Numeral(sign.number, sp.S.One), one.size.value * one.unit
     return value, sp.Abs(number.half_place * value / number.value) if value else sp.S.Zero
 
 
 def _state_put_in(sign: Sign, printed: Printed, sizes: LetterSizes) -> PutIn | str:
-    """State that a calculation is a formula with its sizes put in; another accuses nobody."""
+    """State that a calculation is a formula with its sizes put in; otherwise leave it open."""
     calculated = [side for side in sign.sides if not side.free_symbols]
     if len(calculated) > 1 and sign.is_calculated:
         return _compare(*sign.sides, sign.span)
@@ -216,7 +218,7 @@ def _state_put_in(sign: Sign, printed: Printed, sizes: LetterSizes) -> PutIn | s
 
 
 def _compare(one: sp.Expr, other: sp.Expr, span: tuple[float, float] | None) -> PutIn | str:
-    """State that two calculations give the same, unless numbers of them may be rounded."""
+    """State that two calculations are equal, unless rounded numbers may explain a difference."""
     off = balls.evaluate(one - other, {})
     is_rounded = span is not None and span[0] <= 0 <= span[1]
     if not off.contains(0) and (is_rounded or _is_near(one, other, _FAR)):
@@ -230,7 +232,7 @@ def _compare(one: sp.Expr, other: sp.Expr, span: tuple[float, float] | None) -> 
 def _state_result(
     sign: Sign, printed: Printed, sizes: LetterSizes
 ) -> PrintedNumber | Equality | str | None:
-    """State that a number is what is calculated, and in its unit what the formula before gives."""
+    """State that a number is its calculation's value or, in its unit, the preceding formula's."""
     plain = state_number(sizes, sign, printed)
     if not isinstance(plain, PrintedNumber):
         return plain
@@ -272,9 +274,9 @@ def _state_result(
 def _doubt_result(
     plain: PrintedNumber, sign: Sign, meant: list[sp.Expr], stand: list[sp.Expr]
 ) -> PrintedNumber | str:
-    """State that a calculation gives no number that is `meant` at the sizes, or how it may.
+    """Leave a calculation open if it may give a value `meant` at the sizes, or else state it.
 
-    Numbers that are put in may be rounded, or `stand` in the units of their letters.
+    The numbers put in may be rounded, or `stand` in the units of their letters.
     """
     if any(_is_near(value, plain.value, _FAR) for value in meant):
         return NEAR
@@ -296,7 +298,7 @@ def _may_be_rounded(stated: PrintedNumber, sign: Sign) -> bool:
 def _read(
     settled: sp.Expr, formula: sp.Expr, own: sp.Basic | None, unit: Unit | None, sizes: LetterSizes
 ) -> Iterator[sp.Expr]:
-    """Yield what a formula may give, in a unit; without one in that of its letter, or of SI."""
+    """Yield possible values of a formula in a unit; without one, in its letter's or the SI unit."""
     yield from sizes.read([settled], own, unit)
     dimension = sizes.infer(formula)
     if unit is None and dimension is not None:
@@ -306,9 +308,9 @@ def _read(
 def _list_settled(
     formula: sp.Expr, sign: Sign, printed: Printed, sizes: LetterSizes
 ) -> Iterator[tuple[sp.Expr, dict[sp.Basic, sp.Expr], str]]:
-    """Yield a formula of letters that have sizes, these, and what is told of them.
+    """Yield a formula in letters that have sizes, these sizes, and a note on them.
 
-    First the sizes that are declared or said, then with the numbers of equations before.
+    The first uses declared or restated sizes; the second adds numbers of earlier equations.
     """
     numbered = {s: one for s, one in sizes.list_numbers(sign, printed).items() if s != sign.own}
     for numbers in ({}, numbered):
