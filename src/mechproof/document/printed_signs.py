@@ -1,4 +1,4 @@
-"""The relation signs of a print, one after the other: what each does, and what it makes known."""
+"""The relation signs of a print, one after another: the role of each, and its effect on `Known`."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from mechproof.nomenclature.said_relations import read_relations
 
 
 def give_values(text: str, known: Known) -> None:
-    """Take relations, k=a/b, as definitions; `ValueError` for what is none."""
+    """Take relations, k=a/b, as definitions; raises `ValueError` for any other text."""
     for relation in read_relations(text, known.symbols.reader()):
         is_letter = isinstance(relation.lhs, sp.Symbol | sp.MatrixSymbol)
         if not (isinstance(relation, sp.Equality) and is_letter):
@@ -55,7 +55,7 @@ def give_values(text: str, known: Known) -> None:
 
 
 def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
-    """Return the roles of the signs of a print, in their order; what it defines is known then.
+    """Return the roles of a print's signs, in order, and enter its definitions in `known`.
 
     Raises `ReadingError` for members that cannot be worked out.
     """
@@ -97,7 +97,7 @@ def _list_letters(nodes: Any) -> frozenset[sp.Basic]:
 
 
 def _list_varied(nodes: Any) -> Iterator[Varied]:
-    """Yield letters by which parts are integrated, differentiated and so on, with their letters."""
+    """Yield letters by which parts are integrated, differentiated etc., with the parts' letters."""
     for part in walk(nodes):
         if isinstance(part, At | Approach | Extremum):
             yield part.by.symbol, _list_letters(part.term)
@@ -108,7 +108,7 @@ def _list_varied(nodes: Any) -> Iterator[Varied]:
 
 
 def _find_places(nodes: tuple[Node, ...], read: Print) -> dict[str, Any]:
-    """Return what letters are in a member that is one value, and the letters of the other one."""
+    """Return the places of a side that is a value at a place, and the other side's letters."""
     for node, other in (nodes, nodes[::-1]):
         places, inside = dict[sp.Basic, sp.Expr](), strip(node)
         while isinstance(inside, At):
@@ -121,7 +121,7 @@ def _find_places(nodes: tuple[Node, ...], read: Print) -> dict[str, Any]:
 
 
 def _list_put_in(chain: Chain) -> Iterator[Varied]:
-    """Yield the letters of which the condition of a chain says the value."""
+    """Yield letters that the condition of a chain gives a value, with the letters of the chain."""
     said = chain.condition
     if said is not None and {*said.relations} & {*EQUAL}:
         members = _list_letters(chain.members)
@@ -147,7 +147,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         sides = one, other = turn((nodes[0], nodes[1]), worked_out)
     except ReadingError:
         if has_place(nodes):
-            # It is a value at a place; what it is a value of may be printed behind it.
+            # It is a value at a place, but the definition of its letter may be printed later.
             return Sign(Role.VALUE)
         raise
     _note_arcs(read, nodes, sides, known)
@@ -172,9 +172,9 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
 
 
 def _find_multiplied(sides: tuple[Any, Any], known: Known) -> tuple[sp.Basic, Any] | None:
-    """Return a letter and its value from E I w = …, where w depends on a place, and E, I do not.
+    """Return w and its value from E I w = …, if w depends on a place but E and I do not.
 
-    What depends on time may be said of one instant.
+    An equation of a letter that depends on time may hold at one instant only.
     """
     one, other = sides
     factors = one.args if isinstance(one, sp.Mul) else ()
@@ -189,7 +189,7 @@ def _find_multiplied(sides: tuple[Any, Any], known: Known) -> tuple[sp.Basic, An
 
 
 def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> Sign:
-    """Return that a rounded factor is compared; that of a new letter defines nothing."""
+    """Return a comparison with a rounded factor, which defines nothing for a new letter."""
     sides = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
     if not is_bare(nodes[0]):
         return Sign(Role.STEP, sides=sides)
@@ -199,10 +199,10 @@ def _find_role_of_factor(nodes: tuple[Node, ...], read: Print, known: Known) -> 
 
 
 def _note_arcs(read: Print, nodes: tuple[Node, ...], sides: tuple[Any, Any], known: Known) -> None:
-    """Note what angles are whose sine, cosine or tangent is printed.
+    """Note, as arc functions, the angles whose sine, cosine or tangent is printed.
 
-    Numbers are rounded, and so are values with rounded decimals. Angles given by numbers hold in
-    their passage only.
+    Numbers and calculations with rounded decimals are left out. Angles given by numbers are noted
+    for their passage only.
     """
     exact = known.symbols.list_exact()
     for function, arc in list_arcs(sides):
@@ -214,7 +214,7 @@ def _note_arcs(read: Print, nodes: tuple[Node, ...], sides: tuple[Any, Any], kno
 
 
 def _find_role_of_extremum(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
-    """Return that a letter is introduced as the largest or smallest value, which follows."""
+    """Return a definition if a letter is introduced as an extreme value whose formula follows."""
     first, *others = chain.members[left:]
     if left or not (isinstance(first, Letter) and is_bare(first)) or first.symbol in known.values:
         return Sign(Role.VALUE)
@@ -233,7 +233,7 @@ def _is_worked_out(node: Node) -> bool:
 
 
 def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> None:
-    """Refuse what is said of the letter that moves, besides the set in which it lies."""
+    """Refuse a range of the varied letter that is stated anywhere but in its declaration."""
     said = {part.symbol for part in walk(chain.condition) if isinstance(part, Letter)}
     said |= {symbol for relation in known.symbols.where for symbol in relation.free_symbols}
     if node.by.symbol in said:
@@ -245,7 +245,7 @@ def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> No
 
 
 def name_member(number: int, name: str) -> str:
-    """Return how a member of an equation is called, counted from the letter on."""
+    """Return the name of a member of an equation, counting the letter as the first."""
     return f"the {name_ordinal(number)} member of {name}"
 
 
@@ -262,7 +262,7 @@ def _note_others(name: str, signs: Sequence[Sign], known: Known) -> None:
 
 
 def _note_again(name: str, signs: Sequence[Sign], known: Known) -> None:
-    """Note what is printed again of a letter, or of a rate that is derived."""
+    """Note prints that repeat a letter or a derivative."""
     for sign in signs:
         if sign.role in (Role.REPEATED, Role.DERIVATIVE) and sign.letter in sign.sides:
             value = next((side for side in sign.sides[::-1] if side != sign.letter), None)
@@ -271,9 +271,9 @@ def _note_again(name: str, signs: Sequence[Sign], known: Known) -> None:
 
 
 def _work_out(read: Print, node: Node, known: Known) -> Any:
-    """Return a member, with the values of letters where it cannot be said without them.
+    """Return a member's expression, with values put in for letters if it cannot be read otherwise.
 
-    Values are needed in what is integrated by a letter on which it depends.
+    Integrands, for instance, need the values of letters that depend on the variable.
     """
     integrals = [part for part in walk(node) if isinstance(part, Integration)]
     running = {p.symbol for i in integrals for p in walk(i.differential) if isinstance(p, Letter)}

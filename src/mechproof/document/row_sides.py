@@ -1,6 +1,6 @@
-"""What stands on the sides of a row, of which letters it is a function, and which units it has.
+"""The sides of a row: their letters, and whether their units are known.
 
-Of a row that is judged without the units of its letters a part may be judged by itself.
+If a row is judged without units, a part of it that mixes dimensions may still be judged.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from mechproof.statement_domains.dimension_inference import (
     infer_common,
 )
 
-# Functions that in places have no value, or are given by another formula.
+# Functions that are undefined in places, or given by different formulas.
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
 # Expressions that have no number here, or take long to evaluate.
 SLOW = (sp.Piecewise, sp.Limit, sp.Integral, sp.Sum, sp.Product)
@@ -44,15 +44,15 @@ SLOW = (sp.Piecewise, sp.Limit, sp.Integral, sp.Sum, sp.Product)
 _STEPS = (sp.floor, sp.ceiling)
 # Differences up to this size count as zero.
 _SMALL = 1e-12
-# Functions whose arguments must be numbers. Not the logarithm: that of a length may be part of a
-# difference whose other term is printed elsewhere.
+# Functions whose arguments must be numbers. The logarithm is left out: that of a length may be
+# part of a difference whose other term is printed elsewhere.
 _OF_NUMBERS = (TrigonometricFunction, InverseTrigonometricFunction, HyperbolicFunction, sp.exp)
 _BINDING = (sp.Integral, sp.Sum, sp.Product, sp.Limit, sp.Derivative, sp.Subs, ValueWhere)
 _TOLD = 3
 
 
 def write_out(side: Any) -> Any:
-    """Return a matrix with its entries, any other side as it is."""
+    """Return a matrix with explicit entries, or any other side unchanged."""
     return side.doit() if isinstance(side, sp.MatrixExpr) else side
 
 
@@ -63,10 +63,10 @@ def have_same_letters(sides: Sequence[Any]) -> bool:
 
 
 def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
-    r"""Return whether vectors are equal for some values of their letters only, as a print may say.
+    r"""Return whether two vectors can be equal for some values of their letters only.
 
-    So the closure of a loop is printed, $r\mathbf a+l\mathbf b=x\mathbf e$: an entry that nobody
-    printed is a number, and on the other side a function of letters.
+    A loop closure is printed this way, $r\mathbf a+l\mathbf b=x\mathbf e$: one side has a computed
+    entry that is a number where the other has a function of letters.
     """
     shown = [*map(write_out, sides)]
     are_vectors = all(isinstance(side, sp.MatrixBase) and side.shape[1] == 1 for side in shown)
@@ -83,9 +83,9 @@ def ties_letters(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
 
 
 def gives_entries(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
-    r"""Return whether a matrix that is given by others has its entries printed, \mathbf J^{-1}=….
+    r"""Return whether a computed matrix is printed with its entries, \mathbf J^{-1}=….
 
-    Such a print is meant wherever its letters lie, while one of a vector may tie some.
+    Such a print is meant for all values of its letters, while one of vectors may tie some.
     """
     shown = [*map(write_out, sides)]
     are_matrices = all(isinstance(side, sp.MatrixBase) and min(side.shape) > 1 for side in shown)
@@ -93,14 +93,14 @@ def gives_entries(sides: Sequence[Any], worked_out: Sequence[bool]) -> bool:
 
 
 def list_related(says: Any) -> set[sp.Basic]:
-    """Return the letters of relations that are no equations."""
+    """Return the letters of relations that are not equations."""
     if isinstance(says, Conjunction):
         return {letter for part in says.parts for letter in list_related(part)}
     return set(says.relation.free_symbols) if isinstance(says, Holds) else set()
 
 
 def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
-    """Return what a row says to be equal, the values of letters put in."""
+    """Return the sides that a row equates, with the values of letters put in."""
     says = row.says
     if isinstance(says, Conjunction) and sign.sides != (None, None):
         return [known.settle(side) for side in sign.sides]
@@ -114,34 +114,34 @@ def list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
 def ties_running(
     residual: sp.Expr, moving: Mapping[sp.Basic, tuple[sp.Basic, Sequence[sp.Basic]]]
 ) -> bool:
-    """Return whether a letter on which others depend stands in a residual without these."""
+    """Return whether a residual has a letter that others depend on, but none of those others."""
     letters = residual.free_symbols
     met = {by for s, (by, rates) in moving.items() if letters & {s, *rates}}
     return bool(({by for by, _ in moving.values()} & letters) - met)
 
 
 def raises_by_letter(side: Any) -> bool:
-    """Return whether letters are raised by a letter: of p V^n no dimension is known."""
+    """Return whether a letter is in an exponent of letters: p V^n has no known dimension."""
     return isinstance(side, sp.Expr) and any(
         power.exp.free_symbols and power.base.free_symbols for power in side.atoms(sp.Pow)
     )
 
 
 def has_letters(says: Statement | None) -> bool:
-    """Return whether both sides of an equation have letters: where they have none, much is true."""
+    """Return whether both sides of an equation have letters; if not, it may be true by accident."""
     return isinstance(says, Equality) and all(
         side.free_symbols for side in (says.printed, says.rebuilt)
     )
 
 
 def list_stated(says: Statement | None) -> set[sp.Basic]:
-    """Return the letters of both sides as they are printed: of some no unit may be known."""
+    """Return the letters of both sides as printed, some of which may have no known unit."""
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     return {letter for side in sides for letter in side.free_symbols}
 
 
 def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:
-    """Return whether a residual is linear in a letter or in its tangent, and defined everywhere."""
+    """Return whether a residual is linear in a letter or its tangent, without roots or branches."""
     has_roots = any(not power.exp.is_integer for power in residual.atoms(sp.Pow))
     if has_roots or residual.has(*_PARTIAL):
         return False
@@ -153,22 +153,22 @@ def is_solvable(residual: sp.Expr, letter: sp.Basic) -> bool:
 
 
 def _is_idle(side: Any, letter: sp.Basic) -> bool:
-    """Return whether a side has the same value at three values of a letter, others being fixed.
+    """Return whether a side has the same value at three values of a letter, the others being fixed.
 
-    This is no proof: it tells which letters a side depends on, and so which sides are compared.
-    These are then proved or refuted.
+    This is no proof: it only decides which letters a side depends on, and thus which sides are
+    compared. These are then proved or refuted.
     """
     symbols = sorted(getattr(side, "free_symbols", ()), key=str)
     if not isinstance(side, sp.Expr) or not all(s.is_Symbol for s in symbols):
         return False
-    # SymPy never ends with a sum of matrices.
+    # SymPy does not terminate for sums of matrices.
     if isinstance(side, sp.MatrixExpr) or side.has(*SLOW, *_STEPS):
         return False
     values: dict[sp.Basic, sp.Expr] = {s: sp.Rational(7 * n + 3, 13) for n, s in enumerate(symbols)}
     # With the same denominator they might be whole periods apart.
     points = (sp.Rational(8, 13), sp.Rational(-17, 11), sp.Rational(32, 7))
     places = [{**values, letter: point} for point in points]
-    # Balls are faster; SymPy evaluates what they do not know, or enclose too widely.
+    # Balls are faster; SymPy evaluates what they do not support, or enclose too widely.
     with suppress(NotImplementedError):
         one, *others = (balls.evaluate(side, place, 64) for place in places)
         off = [abs(one - other) for other in others]
@@ -176,13 +176,13 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
             return False
         if all(distance < _SMALL for distance in off):
             return True
-    # Exact substitution would never end for powers of powers.
+    # Exact substitution would not terminate for powers of powers.
     found = [side.evalf(subs=place) for place in places]
     return all(one.is_finite and abs(one - found[0]) < _SMALL for one in found)
 
 
 def _list_letters(side: Any) -> set[sp.Basic]:
-    """Return the letters of which a side is a function, as far as it is seen without a proof."""
+    """Return the letters that a side depends on, as far as can be seen without a proof."""
     shown = write_out(side).replace(ValueWhere, lambda value, _: value)
     for limit in shown.atoms(sp.Limit):
         there = limit.args[0].subs(limit.args[1], limit.args[2])
@@ -196,7 +196,7 @@ def _list_letters(side: Any) -> set[sp.Basic]:
 
 @dataclass(frozen=True)
 class RowUnits:
-    """Whether a row is judged with units, or why it is not; a part that mixes them by itself."""
+    """Whether a row is judged with units, or why it is not, and a part that mixes dimensions."""
 
     are_known: bool
     lacking: str = ""
@@ -211,7 +211,7 @@ def find_units(
     papers: Mapping[bool, Paper],
     is_stated: bool,
 ) -> RowUnits:
-    """Return whether the units of all letters of a row are known, and its sides no numbers."""
+    """Return whether all letters of a row have known units and no side is a bare number."""
     letters = {sign.letter}.union(*(side.free_symbols for side in sides))
     letters |= list_related(row.says) | list_stated(row.says)
     is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
@@ -233,9 +233,9 @@ def find_units(
 
 
 def _is_given_by_itself(sign: Sign, known: Known) -> bool:
-    """Return whether a quantity stands on both sides: their dimensions are compared, too.
+    """Return whether a quantity is on both sides, so that their dimensions are compared, too.
 
-    Those of angles would hold up to turns.
+    Angles are excepted, as they would be equal up to turns.
     """
     dimension = known.symbols.find_dimension(sign.letter) if sign.letter else None
     others = [side for side in sign.sides if side is not None and side != sign.letter]
@@ -244,7 +244,7 @@ def _is_given_by_itself(sign: Sign, known: Known) -> bool:
 
 
 def _find_mixed(row: Row, bare: Collection[sp.Basic], paper: Paper) -> sp.Expr | None:
-    """Return a part of a side that mixes dimensions, whatever the letters without a unit are."""
+    """Return a part of a side that mixes dimensions whatever the letters without a unit are."""
     says, dimensions = row.says, dimensions_of(paper)
     sides = [says.printed] if isinstance(says, Equality | Definition) else []
     sides += [says.rebuilt] if isinstance(says, Equality) else []
@@ -259,10 +259,10 @@ def _find_mixed(row: Row, bare: Collection[sp.Basic], paper: Paper) -> sp.Expr |
 
 
 def _list_parts(side: sp.Expr, known: Collection[sp.Basic]) -> Iterator[sp.Expr]:
-    """Yield sums of terms whose units are known, and functions of such terms.
+    """Yield sums of terms with known units, and functions of such terms.
 
-    A factor that is a number may have a unit that is not printed, and a bound letter that of
-    another.
+    Terms with a coefficient are left out, as it may have an unprinted unit; so are bound letters,
+    which may be confused with others.
     """
     nodes = sp.preorder_traversal(side)
     for node in nodes:

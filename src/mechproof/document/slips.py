@@ -1,4 +1,4 @@
-"""Slips: what one small change of a print makes of it, an equation or a number."""
+"""Slips: the equations or numbers that differ from a print by one small change."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _EXPONENTS = {
 }
 _DIGITS = tuple(map(sp.Integer, range(1, 10)))
 
-# Fewest digits of a number that identify it, and from how many on two may be wrong.
+# Fewest digits of a number that identify it, and number of digits from which two may be wrong.
 _FEWEST_DIGITS = 3
 _LONG = 5
 
-# Says in a reason that the change is in a definition.
+# Completes a reason if the change is in a definition.
 WITHIN = " in what defines "
 
 Sides = tuple[sp.Expr, sp.Expr]
@@ -32,7 +32,7 @@ Sides = tuple[sp.Expr, sp.Expr]
 
 @dataclass(frozen=True)
 class PrintedSides:
-    """The sides of an equation, and which of them are printed so: only these have misprints."""
+    """The sides of an equation, and which of them are printed: only these have misprints."""
 
     sides: Sides
     are_printed: tuple[bool, bool] = (True, True)
@@ -40,7 +40,7 @@ class PrintedSides:
 
 @dataclass(frozen=True)
 class ChangedSides:
-    """Sides that a print would have with one part of it, or of what defines a letter, changed."""
+    """The sides of a print with one part of it, or of a letter's definition, changed."""
 
     sides: Sides
     printed: sp.Basic
@@ -49,13 +49,13 @@ class ChangedSides:
 
     @property
     def reason(self) -> str:
-        """Say what is wrong."""
+        """Return the reason that names the misprinted part and what was meant."""
         where = f"{WITHIN}{self.within}" if self.within else ""
         return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
 
 
 def list_alike(letters: Collection[sp.Basic], domain: Domain) -> list[sp.Basic]:
-    """Return letters, and those that differ from one by an index."""
+    """Return letters, and all letters that differ from one of them by an index only."""
     stems = {str(s).partition("_")[0] for s in letters}
     known = {s for s in (*domain.within, *domain.given) if s.is_Symbol}
     alike = {s for s in known if str(s).partition("_")[0] in stems}
@@ -67,7 +67,7 @@ def list_changes(
 ) -> Iterator[ChangedSides]:
     """Yield sides that differ in one place from those printed.
 
-    Two letters may be exchanged. The definition of a letter keeps its letters, and so does an
+    Two letters may be exchanged. No letter is replaced in the definition of a letter, or in an
     equation of two letters: with others much would be true.
     """
     one, other = entry.sides
@@ -109,16 +109,16 @@ def _change(
 
 
 def _is_at_a_place(one: sp.Basic, other: sp.Basic) -> bool:
-    """Return whether of two letters one is the other with an index.
+    """Return whether one of two letters is the other with an index.
 
-    It is often its value at one place, so that neither is taken for a slip of the other.
+    It is often its value at one place, so neither counts as a slip for the other.
     """
     (stem, _, index), (other_stem, _, other_index) = (str(s).partition("_") for s in (one, other))
     return stem == other_stem and bool(index) != bool(other_index)
 
 
 def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> Iterator[sp.Expr]:
-    """Yield what a printed part may have been meant to be."""
+    """Yield expressions that may have been meant by a printed part."""
     yield -part
     yield 2 * part
     yield part / 2
@@ -143,7 +143,7 @@ def _exchange(part: sp.Expr, letters: Sequence[sp.Basic], *, is_term: bool) -> I
     elif part.is_Integer:
         yield from _DIGITS
     elif isinstance(part, sp.Mul):
-        # A factor that is left out, or stands on the wrong side of the fraction bar.
+        # A factor that is left out, or is on the wrong side of the fraction bar.
         yield from (part / factor for factor in part.args)
         yield from (part / factor**2 for factor in part.args if not factor.is_number)
         yield from _move_bracket(part)
@@ -170,15 +170,15 @@ def _enter_bracket(part: sp.Add) -> Iterator[sp.Expr]:
 
 
 def find_slip(says: PrintedNumber, value: sp.Expr) -> str:
-    """Return the number that rounds a value and differs from the print by a slip, or none.
+    """Return a rounding of a value that differs from the printed number by a slip, or "".
 
-    A slip is another digit, two exchanged, or one moved; in long numbers also two other digits. In
-    numbers of less than three digits it says nothing.
+    A slip is another digit, two exchanged digits, or one moved digit; in long numbers also two
+    other digits. Numbers of fewer than three digits are not examined.
     """
     text = says.printed
     number = text.partition("e")[0]
     places = [n for n, sign in enumerate(number) if sign.isdigit()]
-    # Zeros at the end of a decimal are digits.
+    # Zeros at the end of a decimal count as digits.
     leading = number.lstrip("-0.")
     count = len(leading.replace(".", "") if "." in number else leading.rstrip("0"))
     if count < _FEWEST_DIGITS:

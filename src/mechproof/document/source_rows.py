@@ -1,4 +1,4 @@
-"""Equations of a source -> rows to be judged, each with its role; what is not read says why."""
+"""Equations of a source -> rows to be judged, each with its role; unread ones with the reason."""
 
 from __future__ import annotations
 
@@ -54,18 +54,18 @@ _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
 _MEMBER = ", a member of a family: declare it as a letter of its own"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
-# What SymPy raises where values are put in that do not fit.
+# Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
 
 class Document:
-    """The equations of a paper and what its block declares."""
+    """The equations of a paper and the declarations of its block."""
 
     def __init__(self, source: Source) -> None:
-        """Raise `BlockError`, or `ValueError` for letters that do not go together."""
+        """Read the block; raises `BlockError`, or `ValueError` for letters that conflict."""
         source = replace(source, text=join_thousands(mark_decimals(source.text)))
         self.source, self.files = source, source.files
-        # A paper is named as its file: letters, digits and underscores.
+        # A paper is named after its file, in letters, digits and underscores.
         name = re.sub(r"\W", "_", Path(source.files.names[0]).stem).strip("_")
         self.system = name if name.isidentifier() else f"paper_{name}"
         self.printed = list(find_displays(source.text))
@@ -89,7 +89,7 @@ class Document:
         self._declare({}, {})
 
     def _take_letters(self) -> None:
-        """Take letters that no block declares as numbers, or as the matrices they are printed.
+        """Take undeclared letters as numbers, or as matrices if they are printed as such.
 
         The size of a vector may also follow from how it is used.
         """
@@ -132,9 +132,10 @@ class Document:
         self.known.define_laws(laws)
 
     def _parse_all(self) -> list[list[Sign] | Left]:
-        """Read all equations once; again where letters are matrices, or laws have pieces.
+        """Read all equations until the letters are settled, and return their signs.
 
-        They are also read again where a matrix is made of others that are printed behind it.
+        They are read again if letters turn out to be matrices, if laws have pieces, or if a matrix
+        is made of others that are printed after it.
         """
         laws: dict[sp.Basic, list[LawPiece]] = {}
         later: Later = {}
@@ -166,7 +167,7 @@ class Document:
             self.known.entries = entries
 
     def find_sizes(self, limit: float) -> dict[str, tuple[int, int]]:
-        """Return the sizes of the letters that are printed to be matrices, by their names."""
+        """Return the sizes of letters that are printed as matrices, by symbol name."""
         self.limit = limit
         self._parse_all()
         return {
@@ -174,9 +175,10 @@ class Document:
         }
 
     def find_possible_matrices(self) -> dict[sp.Basic, str]:
-        """Return the letters taken as numbers that are printed as matrices are, and how.
+        """Return letters taken as numbers but printed the way matrices are, with that print.
 
-        So is a letter that the block declares in bold without a size, unless it says a number.
+        They include letters that the block declares in bold without a size, unless it calls them
+        numbers.
         """
         prints = [one.latex.string for one in self.printed]
         names = self.symbols.names
@@ -192,9 +194,9 @@ class Document:
 
     @without_estimates()
     def read(self, limit: float) -> list[Task | Left]:
-        """Read all equations in their order: first what they define, then what they assert.
+        """Read all equations in order: first their definitions, then their claims.
 
-        One that takes longer than `limit` seconds is left.
+        An equation that takes longer than `limit` seconds is left unjudged.
         """
         self.limit = limit
         read = self._parse_all()
@@ -267,7 +269,7 @@ class Document:
         return find_roles(printed.name, read, self.known)
 
     def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
-        """Yield the letters that are said to be zero behind an equation in its line."""
+        """Yield the letters that are said to be zero after an equation on its line."""
         names = self.symbols.names
         line = printed.locate(self.files).line
         for one in self.printed[self.printed.index(printed) + 1 :]:
@@ -278,12 +280,12 @@ class Document:
                 yield letter
 
     def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
-        """Act on an equation; one with which that fails is left, with the reason."""
+        """Call `act` for an equation; if it fails, return the equation as left, with the reason."""
         try:
             with limit_time(self.limit):
                 return act()
         except ReadingError as error:
-            # If letters could not be collected here, that some are undeclared is not the reason.
+            # If letters could not be collected here, the missing declarations are not the reason.
             return self._refuse(printed, self._uncollected.get(printed.latex.string, error))
         except RecursionError:
             return self._leave(printed, State.NOT_READ, TOO_DEEP)
@@ -291,7 +293,7 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, str(error))
         except _UNFIT as error:
             _, told, reason = str(error).partition(f"row {printed.name!r}: ")
-            # The rest tells authors of modules what to declare.
+            # The rest of the message tells authors of modules what to declare.
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
             known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
@@ -307,7 +309,7 @@ class Document:
 
 
 def _take(names: tuple[str, ...], shape: tuple[int, int] | None, by: str) -> Declared:
-    """Take a letter, one that is printed as a function of these as one; of several by its print."""
+    """Declare a letter under all its names; a matrix, or one of several arguments, by its print."""
     if by and (shape or "," in by):
         return Declared((f"{names[0]}({by})", *names), shape=shape)
     return Declared(names, shape=shape, running=by)

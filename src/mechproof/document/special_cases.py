@@ -1,6 +1,6 @@
-"""What an equation says in a special case: under a condition, up to turns, for each branch.
+"""The meaning of an equation in special cases: under a condition, up to turns, for each branch.
 
-Laws whose pieces are printed one by one say something where these meet, too.
+Laws whose pieces are printed one by one also state something where the pieces meet.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from mechproof.record import Conjunction, Equality, Equation, Paper, Part, Row, 
 from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Files
 
-# Work limit: derivatives of longer expressions take long, and nothing was found to follow.
+# Work limit: longer expressions take long to differentiate, and nothing was found to follow.
 _MOST = 1_000
 
 
 def list_values(row: Row, known: Known) -> dict[sp.Basic, sp.Basic]:
-    """Return the values of letters without a formula that the condition of a row says, e=0."""
+    """Return the values that a row's condition, e=0, gives letters without a formula."""
     said = [r for r in (row.on.where if row.on else ()) if isinstance(r, sp.Equality)]
     free = [r for r in said if r.lhs.is_Symbol and r.lhs not in {*known.values, *r.rhs.atoms()}]
     return {r.lhs: r.rhs for r in free}
 
 
 def put_on(row: Row, values: Mapping[sp.Basic, Any]) -> Row:
-    """Add to what is said of a row that letters have values."""
+    """Add values of letters to the condition of a row."""
     if not values:
         return row
     said = tuple(sp.Eq(*one, evaluate=False) for one in values.items())
@@ -45,7 +45,7 @@ def put_on(row: Row, values: Mapping[sp.Basic, Any]) -> Row:
 
 
 def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
-    """Put values into what a side is, also where one is said by another letter."""
+    """Put values into a side, including values given in terms of other letters."""
     side = known.settle(side, values)
     for _ in values:
         side = side.xreplace(values)
@@ -53,7 +53,7 @@ def put_in(side: Any, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Any:
 
 
 def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> Row:
-    """Put the values that a condition says into what is compared there."""
+    """Put the values from a row's condition into the sides that it compares."""
     if row.on is None or not values or not isinstance(row.says, Equality):
         return row
     one, other = (put_in(side, values, known) for side in (row.says.printed, row.says.rebuilt))
@@ -66,9 +66,10 @@ def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> R
 
 
 def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
-    """Compare what is given by pieces where both sides are, a derivative between its seams.
+    """Restrict a comparison of piecewise sides to where they hold, and derivatives off the seams.
 
-    A law by pieces has no derivative where these end, unless they join; prints give that of either.
+    A piecewise law has no derivative where pieces meet, unless they join; prints give that of
+    either piece.
     """
     if not isinstance(row.says, Equality) or sign.letter is None:
         return row
@@ -90,7 +91,7 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
 def _choose_pieces(
     on: Part | None, by: sp.Basic, sides: tuple[Any, Any], known: Known
 ) -> tuple[Any, Any]:
-    """Return sides in which a law by pieces is the one that is meant in just this range."""
+    """Return the sides with piecewise laws replaced by the piece for exactly this range."""
     own = read_piece("", None, on.where, by) if on else None
     if own is None:
         return sides
@@ -107,7 +108,7 @@ def _choose_pieces(
 
 
 def _narrow(part: Part, ends: Iterable[Relational], known: Known) -> Part:
-    """Put ends between which a letter lies into its set, if they are numbers."""
+    """Put the bounds of a letter into its set, if they are numbers."""
     free = [v for v in known.symbols.variables if v.symbol not in known.values]
     variables, where = narrow(free, list(ends))
     sets = {v.symbol: v.within for v in set(variables) - set(free)}
@@ -127,7 +128,7 @@ def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
 
 
 def state_angles(says: Equality, times: sp.Expr = sp.S.One) -> Conjunction:
-    """State that the sides, times a factor, are angles of one direction."""
+    """State that the sides, times a factor, are angles of the same direction."""
     sides = [times * side for side in (says.printed, says.rebuilt)]
     parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
     return Conjunction(tuple(parts))
@@ -146,10 +147,10 @@ def split_branches(says: Statement, known: Known) -> Statement:
 
 
 def list_rates(residual: sp.Expr, at: Iterable[sp.Basic], known: Known) -> Iterator[sp.Expr]:
-    """Yield the derivatives of a residual by letters on which others depend, up to the second.
+    """Yield the first and second derivatives of a residual by letters that others depend on.
 
-    What has too many operations is not differentiated.
-    By a letter at a value of which, or of what depends on it, the residual is, there are none.
+    Residuals with too many operations are not differentiated. There are no derivatives by a letter
+    that has a value in `at`, or on which such a letter depends.
     """
     fixed = {known.symbols.find_steps(letter)[0] for letter in at}
     moving = known.symbols.moving
@@ -173,8 +174,8 @@ def make_seams(
 ) -> Iterator[Task]:
     """Make tasks of the places where the pieces of laws meet.
 
-    A letter whose derivative is printed does not jump, nor does one at a place of two pieces.
-    `papers` are the paper with the units of its letters, and without.
+    A letter whose derivative is printed does not jump, nor does one where both pieces include the
+    place. `papers` are the paper with the units of its letters (True), and without (False).
     """
     for letter, pieces in known.laws.items():
         by, steps = pieces[0].by, known.symbols.find_steps(letter)[1]

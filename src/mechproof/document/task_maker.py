@@ -1,4 +1,4 @@
-"""The signs of an equation -> tasks: what is compared, in which paper, and who claims it."""
+"""The signs of an equation -> tasks: what is compared, in which paper, and on whose claim."""
 
 from __future__ import annotations
 
@@ -56,15 +56,15 @@ from mechproof.sources.displays import Printed
 from mechproof.sources.lines import count_signs
 from mechproof.sources.located_text import Files
 
-# Roles of rows that are also compared at values which words beside them state.
+# Roles of rows that are also compared at values which the nearby text states.
 _SPECIAL = (Role.REPEATED, Role.DERIVATIVE, Role.STEP, *CONSTRAINING)
 
 
 @dataclass(frozen=True)
 class TaskMaker:
-    """Makes tasks of the equations of a paper, when all that they define is known.
+    """Makes tasks of a paper's equations once all their definitions are known.
 
-    `papers` are the paper with the units of its letters, and without.
+    `papers` are the paper with the units of its letters (True), and without (False).
     """
 
     printed: Sequence[Printed]
@@ -124,9 +124,9 @@ class TaskMaker:
         zeros: Mapping[sp.Basic, sp.Expr],
         local: Mapping[sp.Basic, Any],
     ) -> Task | Left:
-        """Add to a task what it is where letters have values that are said beside it.
+        """Add to a task its variant at values that nearby text or a worked example states.
 
-        What holds in an example that the equation may not belong to is kept apart.
+        Values from an example that the equation may not belong to go into a variant of their own.
         """
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task
@@ -141,7 +141,7 @@ class TaskMaker:
         return replace(task, special=tasks.get("special"), local=tasks.get("local"))
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
-        """Make a task of a row, and one for each other member that it is compared with."""
+        """Make a task of a row, with one for each other print or chain member to compare with."""
         task = self._make(printed, row, sign)
         if isinstance(task, Task) and sign.role is Role.STEP:
             return replace(task, others=tuple(self._exchange_members(printed, row, sign)))
@@ -166,7 +166,7 @@ class TaskMaker:
         return replace(task, others=tuple(o for o in others if isinstance(o, Task)))
 
     def _exchange_members(self, printed: Printed, row: Row, sign: Sign) -> Iterator[Task]:
-        """Yield a step with a letter of it taken from another member of its chain."""
+        """Yield a step with a letter of it replaced by another member of that letter's chain."""
         letters = {s for side in sign.sides for s in getattr(side, "free_symbols", ())}
         for letter in sorted(letters & self.known.others.keys(), key=str):
             for name, value in self.known.others[letter]:
@@ -183,7 +183,7 @@ class TaskMaker:
     ) -> Task | Left:
         """Make a task of a row.
 
-        `local` are values that are said of the row, also of letters that others define.
+        `local` are values stated for the row, even of letters that other equations define.
         """
         place = printed.locate(self.files)
         if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
@@ -251,7 +251,7 @@ class TaskMaker:
         )
 
     def _restate(self, row: Row, sign: Sign) -> Row:
-        """State that a letter is introduced where its sign does so, else that sides agree."""
+        """State a definition if the sign introduces a letter, or else that the sides are equal."""
         says = row.says
         if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
             members = (says.symbol, says.printed) if None in sign.sides else sign.sides
@@ -272,7 +272,7 @@ class TaskMaker:
     def _specialise(
         self, row: Row, sign: Sign, special: Mapping[sp.Basic, sp.Basic]
     ) -> tuple[Row, Sign]:
-        """Put in the values that a print says of its letters."""
+        """Put in the values that a print's condition states, and restrict it to its pieces."""
         row = specialise(row, special, self.known)
         if sign.role is Role.NUMBER and sign.number and special:
             value = put_in(sign.value, special, self.known)
@@ -300,28 +300,28 @@ class TaskMaker:
         return is_beside or (is_behind and (said.is_case or said.is_new))
 
     def _is_behind_words(self, printed: Printed, sign: Sign) -> bool:
-        """Return whether words that say something new stand behind what defines a letter."""
+        """Return whether words that say something new follow a definition of a sign's letters."""
         names = {self.known.printed.get(letter) for letter in sign.printed}
         first = (one.announced.scope for one in self.printed if one.name in names)
         return any(scope != printed.announced.scope for scope in first)
 
     def _is_loose(self, residual: sp.Expr) -> bool:
-        """Return whether a letter that no other equation has makes a residual zero."""
+        """Return whether some letter that no other equation has can make a residual zero."""
         letters = residual.free_symbols
         alone = (s for s in letters if is_met_once(s, self.known, with_rates=False))
         return any(is_solvable(residual, letter) for letter in alone)
 
     def _list_named(self, keys: Sequence[str]) -> tuple[str, ...]:
-        """Return the names of equations that are named by their labels."""
+        """Return the names of equations that are given by name or label."""
         names = {label: one.name for one in self.printed for label in one.labels}
         return tuple(names.get(key, key) for key in keys)
 
     def _asserts(
         self, printed: Printed, says: Statement | None, sign: Sign, sides: Sequence[Any]
     ) -> bool:
-        """Return whether the sides are claimed to be equal wherever their letters lie.
+        """Return whether the sides are claimed to be equal for all values of their letters.
 
-        Sides of different letters say something of the letters.
+        Sides with different letters constrain these instead.
         """
         if None not in sign.sides and not any(side.free_symbols for side in sign.sides):
             return True
@@ -339,7 +339,7 @@ class TaskMaker:
         return have_same_letters(sides) and not ties_letters(sides, sign.worked_out)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
-        """Return whether a constraint of two compound sides may be a wrong identity."""
+        """Return whether a constraint between two compound sides may be a wrong identity."""
         is_said = is_listed(printed, self.block.constraints)
         is_compound = sign.role is Role.CONSTRAINT and sign.letter is None and len(sides) == 2
         return is_compound and not is_said and have_same_letters(sides)

@@ -1,8 +1,8 @@
-"""What each relation sign of a paper does, and what becomes of it: a row to be judged.
+"""The role of each relation sign of a paper, and the row to be judged that is made of it.
 
-What is printed first of a letter defines it. Later prints of it, derivatives of it and the further
-members of a chain are compared. Two compound sides, or a side that is zero, constrain letters. A
-bare number is a size.
+The first print of a letter defines it. Later prints of it, its derivatives and further members of a
+chain are compared. Two compound sides, or a side that is zero, constrain letters. A bare number is
+a size.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
 
 
 class Role(StrEnum):
-    """What a relation sign does."""
+    """The role of a relation sign."""
 
     DEFINITION = "definition"
     SIZE = "size"
@@ -43,29 +43,27 @@ class Role(StrEnum):
 CONSTRAINING = (Role.CONSTRAINT, Role.SOLUTIONS)
 
 
-# The letter by which a part of a print is integrated, differentiated and the like, and the letters
+# The letter by which a part of a print is integrated, differentiated or the like, and the letters
 # of that part.
 Varied = tuple[sp.Basic, frozenset[sp.Basic]]
 
 
 @dataclass(frozen=True)
 class Sign:
-    """One relation sign: its role, the letter that it is about, who printed it first; its sides.
+    """One relation sign: its role, its letter, the equation that printed that first, and its sides.
 
-    `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
-    other side then; `given` are the digits and the unit of that, if it is a number with a unit,
-    too. `worked_out` tells which sides are no print: derivatives, and what matrices
-    give. `printed` are the letters of both sides as they are printed, `factor`
-    the digits of their only decimal, if it is a factor. `varied` are letters over which a part goes
-    alone, by which it is differentiated or integrated, or of which a value is put in, each with
-    the letters of that part. `formula` is what stands before a calculation that a number is of,
-    `span` between what this lies whose decimals are rounded, `is_calculated` tells that it is one.
-    Of two calculations `span` is that of their difference.
-    `halves` are x_1 and x_2 of what is printed of both, x_{1,2}. `own` is the letter that its chain
-    is about, in whose unit a number of it counts.
-    Of an inequality `units` are the units of its sides, and `limited` the sides if one has any.
-    `places` are the numbers that letters are where one side is the value of something, `beside` the
-    letters of the other side then.
+    `number` has the digits of a side that is a number, `unit` the unit after them and `value` the
+    other side; if that is a number with a unit, too, `given` has its digits and unit. `worked_out`
+    says which sides are computed and not printed: derivatives, and products of matrices. `printed`
+    has the letters of both sides as printed, `factor` the digits of their only decimal, if it is a
+    factor. `varied` has the letters by which a part is differentiated or integrated, or that have a
+    value put in, each with the letters of that part. If a side is a calculation of numbers,
+    `is_calculated` is true, `formula` is the member before it, and `span` is its range if decimals
+    in it are rounded; for two calculations, `span` is the range of their difference. `halves` has
+    x_1 and x_2 for a print of both, x_{1,2}. `own` is the letter that the chain is about, in whose
+    unit its numbers count. For an inequality, `units` has the units of its sides, and `limited` the
+    sides if one has a unit. If one side is a value at a place, `places` has the numbers that
+    letters are there, and `beside` the letters of the other side.
     """
 
     role: Role
@@ -92,32 +90,32 @@ class Sign:
 
     @property
     def is_tied(self) -> bool:
-        """Return whether it is what ties two letters that are printed at once, as `first` says."""
+        """Return whether it ties two letters that the equation `first` prints at once, x_{1,2}."""
         return self.role is Role.CONSTRAINT and bool(self.first) and all(self.worked_out)
 
 
 @dataclass(frozen=True)
 class Task:
-    """A row to be judged, where it stands, what it does, and the paper that it is judged in.
+    """A row to be judged: its place, its sign, and the paper that it is judged in.
 
-    `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
-    `residual` is their difference, the values of letters put in, `rates` are its derivatives.
-    `is_either` tells a constraint that may also be meant as an identity: both sides have the same
-    letters, and the block does not say which it is. `is_solution` tells a later print of a letter
-    that may be another solution, or an inequality that may be said of another case. `others`
-    compare the same print with further members of the chain that it is compared with.
-    `follows` names what the block says that it follows from. `is_loose`
-    tells that a letter that no other equation has makes it true, whatever the others are;
-    `ties_running` that it has a letter on which others depend and none of those: if it holds for
-    all values, a letter depends on it of which that is not said. `is_case` tells that words before
-    it may announce another case, or that the block says it to be a constraint, `is_excused` also
-    that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce, `at` are the values of letters that a condition beside
-    it says, `special` is the row at those that words before it say, too. `anew` are the values of
-    letters and derivatives if it is another case; None for one without a value then. `is_given`
-    tells that the block says it to be a constraint. `local` is the row at the values that worked
-    examples print of letters, which may not be meant here. `rests_on` names an equation that has to
-    be proved for it, and what is said otherwise.
+    `asserts` says whether its sides are claimed to be equal, `is_claimed` whether the block claims
+    it. `residual` is their difference with the values of letters put in, `rates` are its
+    derivatives. `is_either` marks a constraint that may be meant as an identity: both sides have
+    the same letters, and the block does not say which it is. `is_solution` marks a later print of a
+    letter that may be another solution, or an inequality that may be about another case. `others`
+    compare the same print with further members of its first chain. `follows` names the equations
+    that the block says it follows from. `is_loose` is true if a letter that no other equation has
+    can make it true; `ties_running` if it has a letter that others depend on but none of those: if
+    it is to hold for all values, a letter must depend on that one without being declared to.
+    `is_case` is true if preceding words may announce another case, or the block says that it is a
+    constraint; `is_excused` is true also if a side has a letter that no other equation has, so that
+    it may say something new. `said` is the announcement before it, `at` the values that its
+    condition gives letters, and `special` the row at those and the values that preceding words
+    give. `anew` has the values of letters and derivatives if it is another case, None for no value.
+    `is_given` says whether the block calls it a constraint. `local` is the row at the values that
+    worked examples print, which may not be meant here. `rests_on` has the name of an equation that
+    must be proved for it, and the reason that is given otherwise. `lacking` is the reason why
+    dimensions are not compared; `mixed` is a part that mixes them.
     """
 
     row: Row
@@ -148,11 +146,11 @@ class Task:
 
     @property
     def is_rounded(self) -> bool:
-        """Return whether a decimal stands beside letters: it is a rounded number."""
+        """Return whether the print has a decimal next to letters, which is taken to be rounded."""
         is_number = isinstance(self.row.says, PrintedNumber) or self.sign.is_calculated
         return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
 
     @property
     def is_alone(self) -> bool:
-        """Return whether it is the number of a letter that is defined elsewhere."""
+        """Return whether the row only gives a number for a letter that is defined elsewhere."""
         return self.sign.role is Role.NUMBER and self.sign.letter is not None
