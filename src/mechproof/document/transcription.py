@@ -1,4 +1,4 @@
-"""The transcription of a paper -> the letters and the prints that its derivation takes from it."""
+"""The transcription of a paper -> the letters and prints that its derivation uses."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _COMMAND = re.compile(r"(\\[a-zA-Z]+)")
 
 
 class Transcription:
-    r"""What a paper prints, from a LaTeX file: its letters in a block, its rows as displays.
+    r"""A paper's transcription in a LaTeX file: its letters in a block, its rows as displays.
 
     Displays are named as `mechproof check` names them: by their numbers, their tags (`\tag*` is
-    a name without brackets) or their labels. What a display cites are the sentences that its row
-    judges, `\cite{S6,S48}`.
+    a name without brackets) or their labels. A display cites the sentences that its row judges,
+    `\cite{S6,S48}`.
     """
 
     def __init__(self, file: Path) -> None:
         """Read the file.
 
-        Raises `DocumentError`, `BlockError`, and `ValueError` for two displays of one name.
+        Raises `DocumentError`, `BlockError`, and `ValueError` for two displays with the same name.
         """
         self.file = file
         source = read_source(str(file))
@@ -57,9 +57,9 @@ class Transcription:
     def reader(
         self, variables: Sequence[Variable] = (), notation: Notation | None = None
     ) -> Callable[[str], tuple[Any, ...]]:
-        """Return what reads the members of a display by its name, in these letters or the file's.
+        """Return a function from a display's name to its members, in given letters or the file's.
 
-        It raises what `find` and `mechproof.latex` do.
+        The function raises what `find` and `mechproof.latex` raise.
         """
         members = Reader(variables or self.variables, notation or self.notation).members
         return lambda number: members(self.equation(number))
@@ -67,14 +67,14 @@ class Transcription:
     def find(self, number: str) -> str:
         """Return the LaTeX of a display by its name.
 
-        Raises `ValueError` for one that the file does not have.
+        Raises `ValueError` if the file has no such display.
         """
         return self._find(number).latex.string
 
     def symbols(self, names: str) -> tuple[Any, ...]:
-        """Return the symbols of letters by their names, separated by blanks.
+        """Return the symbols of letters given by their names, separated by blanks.
 
-        Raises `ValueError` for one that the block does not declare.
+        Raises `ValueError` for a letter that the block does not declare.
         """
         known: dict[str, sp.Basic] = {str(v.symbol): v.symbol for v in self.variables}
         if missing := [name for name in names.split() if name not in known]:
@@ -82,9 +82,9 @@ class Transcription:
         return tuple(known[name] for name in names.split())
 
     def give(self, values: Mapping[sp.Basic, Any]) -> tuple[Variable, ...]:
-        """Return the variables of the letters, with what some of them are given by.
+        """Return the variables of all letters, some with the values that they are given by.
 
-        Raises `ValueError` for a symbol that is no letter of the block.
+        Raises `ValueError` for a symbol that is not a letter of the block.
         """
         letters = {v.symbol for v in self.variables}
         if unknown := [str(symbol) for symbol in values if symbol not in letters]:
@@ -92,22 +92,22 @@ class Transcription:
         return tuple(replace(v, given=values.get(v.symbol)) for v in self.variables)
 
     def equation(self, number: str, says: Statement | None = None, **more: Any) -> Equation:
-        """Return a numbered equation; `more` are further fields of `mechproof.record.Row`."""
+        """Return a numbered equation; `more` are other fields of `mechproof.record.Row`."""
         return self._make(Equation, number, says, more)
 
     def claim(self, number: str, says: Statement | None = None, **more: Any) -> Claim:
-        """Return any other statement, in the same way."""
+        """Return any other statement; arguments as for `equation`."""
         return self._make(Claim, number, says, more)
 
     def datum(self, number: str, says: Statement | None = None, **more: Any) -> Datum:
-        """Return a datum, in the same way."""
+        """Return a datum; arguments as for `equation`."""
         return self._make(Datum, number, says, more)
 
     def mend(self, number: str, old: str, new: str, says: Statement | None = None) -> Correction:
-        """Return a display with something else in each place of a part, as what should be printed.
+        """Return a display as it should be printed, with each occurrence of a part replaced.
 
-        Letters in the names of commands are no part. Raises `ValueError` for what is not printed
-        there, and for the same again.
+        Letters in the names of commands are not replaced. Raises `ValueError` if the part does not
+        occur or the replacement changes nothing.
         """
         printed = self.find(number)
         pieces = [printed] if "\\" in old else _COMMAND.split(printed)

@@ -1,7 +1,7 @@
-"""Rows that are true nowhere, or where lengths are positive and angles acute.
+"""Rows that are true nowhere, and rows that need positive lengths or acute angles.
 
-Whatever the letters of the first are: of a matrix one entry is enough. Papers take the others for
-granted, and do not say them.
+The former are false whatever their letters are; for matrices, one false entry is enough. Papers
+take positive lengths and acute angles for granted without saying so.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _ACUTE = sp.Interval.open(0, sp.pi / 2)
 
 
 def tell_never_true(task: Task, reason: str) -> str:
-    """Return that a row is proved to be true nowhere, and why: nothing if it is not."""
+    """Return the reason that a row is proved to be true nowhere, or ""."""
     domain = Domain.of(task.paper, task.row.on)
     if said := next(_list_false_entries(task, domain), ""):
         beside = WITH_DEFINITIONS if task.sign.printed & domain.given.keys() else ""
@@ -49,7 +49,7 @@ def tell_never_true(task: Task, reason: str) -> str:
 
 
 def _is_true_alone(task: Task) -> bool:
-    """Return whether a row that is true nowhere may be true whatever defines its letters."""
+    """Return whether a row that is true nowhere may be true without the definitions it uses."""
     if not isinstance(task.row.says, Holds):
         return decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False))) is False
     domain = replace(Domain.of(task.paper, task.row.on), given={})
@@ -57,7 +57,7 @@ def _is_true_alone(task: Task) -> bool:
 
 
 def _is_nowhere_true(task: Task, domain: Domain) -> bool:
-    """Return whether a row is proved to be true nowhere; not asked where a zero is met."""
+    """Return whether a row is proved to be true nowhere; not tried if a zero is found."""
     says = task.row.says
     if isinstance(says, Equality) and task.residual is not None:
         return _are_apart(says.printed, says.rebuilt, domain)
@@ -74,9 +74,10 @@ def _are_apart(one: sp.Expr, other: sp.Expr, domain: Domain) -> bool:
 
 
 def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
-    """Yield what entries of matrices say if it is never true.
+    """Yield the statements of matrix entries that are never true.
 
-    A zero that a column of unknown letters is not equal to tells that a system has no solution.
+    A zero in a column of a linear system is skipped: there it means that the system has no
+    solution.
     """
     says = task.row.says
     if not isinstance(says, Equality):
@@ -98,9 +99,9 @@ def holds_alone(task: Task) -> bool:
 
 
 def decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
-    """Return whether what is stated of the sides is proved without what defines letters.
+    """Return whether a statement about the sides is proved without the letters' definitions.
 
-    None for sides that are no numbers.
+    None if a side is not a number.
     """
     one, other = task.sign.sides
     if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
@@ -110,9 +111,9 @@ def decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
 
 
 def list_shallow(task: Task) -> Iterator[Task]:
-    """Yield an equation in letters as they are printed, then with what defines these put in once.
+    """Yield an equation in its letters as printed, then with definitions put in once, and so on.
 
-    What holds whatever defines the letters is found there sooner than with all definitions put in.
+    What holds whatever defines the letters is found sooner there than with all definitions put in.
     """
     sides, given = task.sign.sides, Domain.of(task.paper, task.row.on).given
     if not (isinstance(task.row.says, Equality) and all(isinstance(x, sp.Expr) for x in sides)):
@@ -131,9 +132,10 @@ def list_shallow(task: Task) -> Iterator[Task]:
 
 
 def find_relations(task: Task) -> str:
-    """Return relations of letters of which nothing is said, if an equation holds where they do.
+    """Return relations between unrestricted letters under which an equation holds, or "".
 
-    These say that lengths are positive, or angles acute.
+    The relations say that lengths are positive, angles acute, or a side equal to a root not
+    negative.
     """
     return next(filter(None, map(_find_relations, (*list_shallow(task), task))), "")
 

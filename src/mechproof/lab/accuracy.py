@@ -1,6 +1,6 @@
-"""Accuracy: every way on every point set and in every cell, and the search for the worst.
+"""Accuracy: every way on every point set and in every cell, and the search for the worst input.
 
-The parts are measured apart, here or by the workers of an executor.
+The parts are measured separately, in this process or by the workers of an executor.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from mechproof.measured import (
 
 # Simulations and solvers are measured on this many points of a set.
 SLOW_SAMPLE = 30
-# Share of every set that is drawn where only some of its points are wanted.
+# Share of every set that is drawn if only some of its points are wanted.
 PART = 0.1
 
 Report = Callable[[str], None]
@@ -48,7 +48,7 @@ Report = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Accuracies:
-    """Errors on point sets and in cells, the sizes measured, and the worst that was found."""
+    """Errors on point sets and in cells, the sizes measured, and the worst inputs found."""
 
     sets: tuple[SetErrors, ...]
     cells: tuple[Cell, ...]
@@ -65,13 +65,13 @@ def measure_accuracy(
     executor: Executor | None,
     known: Sequence[Point] = (),
 ) -> Accuracies:
-    """Measure on at most so many points of a set, and search for so many rounds.
+    """Measure on at most `points` points of a set, and search for `rounds` rounds.
 
-    Inputs that are known to be bad count if none is found that is worse. The result does not
-    depend on the executor; one of processes needs a subject that `find_subjects` has found.
+    `known` bad inputs count unless a worse one is found. The result does not depend on the
+    executor; an executor of processes needs a subject found by `find_subjects`.
     """
     sets, cells, shipped = map(len, (list_sets(subject), list_cells(subject), subject.shipped))
-    # The searches take longest, so that they start first.
+    # The searches take longest, so they start first.
     tasks: list[Callable[[], Any]] = [
         partial(_search, subject, i, points, rounds) for i in range(shipped)
     ]
@@ -99,7 +99,7 @@ def _call(task: Callable[[], Any]) -> Any:
 
 
 def _measure_set(subject: Subject, index: int, points: int | None) -> list[SetErrors]:
-    """Measure every way on one set; an ordered one is measured on ordered sets only."""
+    """Measure every way on one set; ways for ordered points are measured on ordered sets only."""
     point_set = list_sets(subject)[index]
     arguments = draw_points(point_set, REPORT)
     if not point_set.ordered:
@@ -147,7 +147,7 @@ def _measure_cell(
 ) -> tuple[Cell, list[CellErrors], list[Span]]:
     """Measure every single-point way in a cell of sizes: largest absolute error and bound.
 
-    Points of the sets that lie in the cell are among its points: they are chosen to hurt.
+    The points of the sets that lie in the cell are included: they are chosen to hurt.
     """
     sides = list_cells(subject)[place]
     drawn = draw_in_cell(subject, np.random.default_rng([REPORT, place]), sides)
@@ -167,7 +167,7 @@ def _measure_cell(
     return Cell(named, len(truth.high), truth.undecided), errors, spans
 
 
-# Cached, because all cells of a subject look for points of theirs in the same sets.
+# Cached, because all cells of a subject look for their points in the same sets.
 @lru_cache(maxsize=1)
 def _draw_once(subject: Subject, share: float) -> tuple[Arguments, ...]:
     return tuple(draw_sets(subject, REPORT, share))
@@ -182,7 +182,7 @@ def _take_inside(sizes: Sequence[Span], arguments: Arguments) -> Arguments:
 
 
 def _find_ranges(subject: Subject, spans: list[list[Span]]) -> dict[str, Span]:
-    """Return the sizes measured: the edges of the cells, and what else the points spanned."""
+    """Return the spans of sizes measured: the edges of the cells, or else those of the points."""
     if not spans:
         return {}
     lows, highs = np.min(spans, axis=0)[:, 0], np.max(spans, axis=0)[:, 1]
@@ -245,7 +245,7 @@ def _judge(subject: Subject, found: Searched, met: Iterable[Point]) -> Iterator[
 
 
 def _span(argument: Array) -> Span:
-    """Return the least and the largest size; numbers of both signs enclose zero."""
+    """Return the least and the largest size; the least is 0 if the numbers have both signs."""
     size = np.abs(argument)
     least = 0.0 if np.min(argument) < 0 < np.max(argument) else float(np.min(size))
     return least, float(np.max(size))
@@ -256,7 +256,7 @@ def _thin(subject: Subject, arguments: Arguments, wanted: int | None) -> Argumen
 
 
 def _take(subject: Subject, arguments: Arguments, chosen: Any) -> Arguments:
-    """Take some of the points, or one; what all points share stays as it is."""
+    """Take some of the points, or one; arguments that all points share are left unchanged."""
     count = count_points(subject, arguments)
     return tuple(a[chosen] if np.shape(a)[:1] == (count,) else a for a in arguments)
 

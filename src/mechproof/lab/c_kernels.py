@@ -1,6 +1,6 @@
-"""Kernels in C as functions of arrays: what `mechproof emit c` writes, compiled as it says.
+"""Kernels in C as functions of arrays: the code of `mechproof emit c`, compiled with its flags.
 
-For a GPU NVRTC compiles the same text through CuPy.
+For a GPU, NVRTC compiles the same code through CuPy.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ from mechproof.record import Paper
 Array = NDArray[Any]
 Shape = tuple[int, ...]
 COMPILER = "cc"
-# Name of a loop over the function of one point, for calls in which not only the first argument
-# varies.
+# Name of a loop over the function of one point, for calls in which arguments other than the first
+# vary, too.
 EACH = "call_each"
 
 
 class KernelInC:
-    """The kernel of a quantity in C, called from Python; it is compiled by its first call."""
+    """The C kernel of a quantity, called from Python and compiled on its first call."""
 
     def __init__(self, kernel: Kernel, paper: Paper) -> None:
         self._kernel, self._paper = kernel, paper
@@ -43,7 +43,7 @@ class KernelInC:
         self._sums = any(a.axes for a in self._arguments)
 
     def __call__(self, *arguments: Any) -> Array:
-        """Compute at points that broadcast, as the kernel of NumPy does."""
+        """Compute at points that broadcast, as the NumPy kernel does."""
         given = [np.asarray(a, float) for a in arguments]
         own, sizes = self._find_sizes(given)
         pairs = zip(given[1:], self._ranks[1:], strict=True)
@@ -51,7 +51,7 @@ class KernelInC:
         return call(given, own, sizes)
 
     def _find_sizes(self, given: list[Array]) -> tuple[list[Shape], list[int]]:
-        """Return the shape of each argument at one point, and how many terms sums have."""
+        """Return the shape of each argument at one point, and the number of terms of sums."""
         tails = (a.shape[-x.axes :] for a, x in zip(given, self._arguments, strict=True) if x.axes)
         sizes = [max(chain(*tails), default=0)] if self._sums else []
         return [(a.width,) if a.width else (*sizes,) * a.axes for a in self._arguments], sizes
@@ -78,7 +78,7 @@ class KernelInC:
     def _lay_out(
         self, given: list[Array], own: list[Shape]
     ) -> tuple[Shape, list[Array], list[int]]:
-        """Return the shape of the points, the arguments row by row, and how far rows are apart."""
+        """Return the shape of the points, the arguments row by row, and the rows' strides."""
         shapes = [a.shape[: max(a.ndim - r, 0)] for a, r in zip(given, self._ranks, strict=True)]
         points = np.broadcast_shapes(*shapes)
         wholes = [(points if shape else ()) + one for shape, one in zip(shapes, own, strict=True)]
@@ -87,7 +87,7 @@ class KernelInC:
 
     @cached_property
     def _functions(self) -> tuple[Any, Any]:
-        """Compile the functions of many points with one set of parameters, and with one each."""
+        """Compile the functions for shared parameters, and for parameters point by point."""
         system, name = self._paper.system, self._kernel.name
         with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             source, made = (Path(folder, f"{system}{end}") for end in (".c", ".so"))
@@ -130,13 +130,13 @@ class KernelInC:
 
 
 def find_in_c(name: str, paper: Paper) -> KernelInC | None:
-    """Find a quantity's kernel in C, None without a compiler or without a kernel."""
+    """Return a quantity's kernel in C, or None without a compiler or without a kernel."""
     kernels = build_functions(paper).kernels if shutil.which(COMPILER) else ()
     return next((KernelInC(k, paper) for k in kernels if k.name == name), None)
 
 
 def spread(values: Array, shape: Shape) -> Array:
-    """Return values row by row in a shape that they broadcast to."""
+    """Return values as a contiguous array of a shape that they broadcast to."""
     if values.shape == shape and values.flags.c_contiguous:
         return values
     whole = np.empty_like(values, shape=shape, order="C")
@@ -145,16 +145,16 @@ def spread(values: Array, shape: Shape) -> Array:
 
 
 LIBRARY, DRIVER = "cupy", "nvidia-smi"
-# No fused products and sums: these would change last digits, and error-free transformations.
+# No fused multiply-adds: they would change last digits, and error-free transformations.
 GPU_FLAGS = ("--fmad=false", "-default-device")
 THREADS = 256
 
 
 class KernelOnGpu(KernelInC):
-    """The kernel of a quantity on a GPU, one thread a point; it is compiled by its first call."""
+    """The kernel of a quantity on a GPU, one thread per point, compiled on its first call."""
 
     def __call__(self, *arguments: Any) -> Any:
-        """Compute at points that broadcast; the result lies on the GPU if an argument does.
+        """Compute at points that broadcast; the result is on the GPU if an argument is.
 
         It is complete when the call returns.
         """
@@ -191,15 +191,15 @@ class KernelOnGpu(KernelInC):
 
 
 def find_on_gpu(name: str, paper: Paper) -> KernelOnGpu | None:
-    """Find a quantity's kernel on a GPU, None without CuPy, a GPU or a kernel."""
+    """Return a quantity's kernel on a GPU, or None without CuPy, a GPU or a kernel."""
     kernels = build_functions(paper).kernels if find_gpu() else ()
     return next((KernelOnGpu(k, paper) for k in kernels if k.name == name), None)
 
 
 def find_gpu() -> str:
-    """Return the name of the first GPU; empty without one, and without CuPy.
+    """Return the name of the first GPU, or "" without one or without CuPy.
 
-    CUDA is not called: a process that is forked later could not use it then.
+    CUDA is not called, as a process forked later could then not use it.
     """
     if not (find_spec(LIBRARY) and shutil.which(DRIVER)):
         return ""

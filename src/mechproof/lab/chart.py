@@ -1,7 +1,7 @@
 """Charts: of a record, time per point against error; of kernels, jumps between branches.
 
-The overview is one picture of all quantities: a small panel each, with the front and the best of
-each family.
+The overview is a picture of all quantities with a small panel each, which shows the front and the
+best of each family.
 """
 
 from __future__ import annotations
@@ -44,15 +44,15 @@ from mechproof.measured import Record
 # Dots per inch, and a width in inches that makes as many pixels as a README is wide.
 DPI, WIDTH = 110, 9.2
 COLOURS = 256
-# Style of charts; the salt gives the same data the same bytes.
+# Style of charts; with the salt, the same data give the same bytes.
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
 
 
 def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[Path]:
-    """Draw what there is to draw of one quantity, as PNG and SVG; return the files.
+    """Draw the charts of one quantity as PNG and SVG, and return the files.
 
-    Time against error is in the record; jumps between branches are computed from the subject, if
-    it is there.
+    Time against error is in the record; jumps between branches are computed from the subject, if it
+    is given.
     """
     files: list[Path] = []
     for workload, count in list_workloads(record):
@@ -68,7 +68,7 @@ def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[P
 
 
 def save(figure: Figure, stem: Path, says: str, records: Sequence[Record]) -> list[Path]:
-    """Write a figure as PNG and SVG, which tell what they say and of which records.
+    """Write a figure as PNG and SVG, with its message and its records in the metadata.
 
     The same data give the same files.
     """
@@ -82,7 +82,7 @@ def save(figure: Figure, stem: Path, says: str, records: Sequence[Record]) -> li
 
 
 def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> None:
-    """Write a PNG of few colours: a quarter of the bytes, and no difference to the eye."""
+    """Write a PNG of few colours: a quarter of the bytes, and no visible difference."""
     buffer, info = BytesIO(), PngInfo()
     figure.savefig(buffer, format="png", dpi=DPI)
     for key, text in about.items():
@@ -93,29 +93,29 @@ def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> Non
 
 
 def tell_sources(records: Sequence[Record]) -> str:
-    """Tell what a picture is drawn from: when it was measured and, of one quantity, the bounds."""
+    """Return the sources of a picture: times of measurement and, for one quantity, its bounds."""
     told = tell_proved(*records) if len(records) == 1 else {}
     return "; ".join((date_records(records), *(f"{way}: {text}" for way, text in told.items())))
 
 
 def date_records(records: Sequence[Record]) -> str:
-    """Say when the records that are drawn were taken."""
+    """Return when, and how thoroughly, the records drawn were taken."""
     return f"{tell_how(records)} {', '.join(sorted({record.taken for record in records}))}"
 
 
 def tell_how(records: Sequence[Record]) -> str:
-    """Say how records were taken: a quick one has few points and short times."""
+    """Return how records were taken: a quick one has few points and short times."""
     return "quickly measured" if any(record.quick for record in records) else "measured"
 
 
 def write_title(record: Record, workload: str, count: int) -> str:
-    """Say in a sentence what the chart shows, with the worst that a search found beside it."""
+    """Return the chart's message as a sentence, including the worst error a search found."""
     marks = collect_marks(record, workload, count)
     return write_headline(marks, find_searched(record).get(marks[0].name, 0.0))
 
 
 def draw_chart(record: Record, workload: str, count: int) -> Figure:
-    """Draw a panel of the usual point set and, below, one of the worst of all, with a headline."""
+    """Draw a panel of the usual point set and one of the worst of all sets, with a headline."""
     usual = find_usual_set(record)
     worst = collect_marks(record, workload, count)
     points = sum(row.points for row in record.errors_of(record.ways[0].name))
@@ -142,7 +142,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
 
 
 def tell_usual(name: str) -> str:
-    """Name the usual calls, if their name says more than "usual"."""
+    """Return the name of the usual set in brackets, or "" if it is just "usual"."""
     return "" if name == "usual" else f" ({name})"
 
 
@@ -161,7 +161,7 @@ def _describe(record: Record, workload: str, count: int) -> str:
 
 
 def find_limits(marks: Sequence[ChartPoint], copy: float | None) -> tuple[float, float]:
-    """Return the ends of the axis of time: all marks and the copy, and room beside them."""
+    """Return the ends of the time axis: they leave room on both sides of all marks and the copy."""
     times = [mark.time for mark in marks] + ([copy] if copy else [])
     low, high = min(times), max(times)
     room = (2 * high / low) ** 0.05
@@ -196,9 +196,9 @@ def _write_names(
     copy: float | None,
     proved: Mapping[str, str],
 ) -> None:
-    """Name marks after the layout, which gives the room that there is, and count the rest.
+    """Name marks after the layout, which determines the room, and count those without a name.
 
-    What is proved stands below the others, where the worst of all points is.
+    Proved bounds are named in the lower panel only, which shows the worst of all points.
     """
     layout = figure.get_layout_engine()
     assert layout is not None
@@ -212,7 +212,7 @@ def _write_names(
 
 
 def draw_jumps(subject: Subject) -> Figure | None:
-    """Draw the error in periods of all but peers with wrong branches on the ordered sets."""
+    """Draw the errors in periods on the ordered sets, of ways other than peers, or return None."""
     period = subject.period
     if period is None:
         return None
@@ -266,7 +266,7 @@ ROOM = 21
 
 
 def draw_overview(records: Sequence[Record], folder: Path) -> list[Path]:
-    """Draw one panel for the first workload of each quantity, as PNG and SVG; return the files."""
+    """Draw one panel for the first workload of each quantity as PNG and SVG; return the files."""
     with mpl.rc_context({**STYLE, "font.size": 7.5}):
         figure = draw_panels(records)
     return save(figure, folder / NAME, write_summary(records), records)
@@ -283,7 +283,7 @@ def pick_marks(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
 
 
 def write_summary(records: Sequence[Record]) -> str:
-    """Say of how many quantities the shipped kernel is on the front, and the most accurate."""
+    """Return for how many quantities the shipped kernel is most accurate, and on the front."""
     found = [collect_first(record) for record in records]
     best = sum(m[0].has_digits and m[0].height == min(x.height for x in m) for m in found)
     front = sum(any(_is_as_shipped(m, marks[0]) for m in find_front(marks)) for marks in found)
@@ -294,7 +294,7 @@ def write_summary(records: Sequence[Record]) -> str:
 
 
 def _is_as_shipped(mark: ChartPoint, shipped: ChartPoint) -> bool:
-    """Say whether it is the shipped way or a variant with the same results, as with `out=`."""
+    """Return whether a mark is the shipped way or a variant with the same error, as with `out=`."""
     return mark.family == "shipped" and mark.error == shipped.error
 
 
@@ -316,7 +316,7 @@ def draw_panels(records: Sequence[Record]) -> Figure:
         axes.set_visible(False)
     for axes in panels:
         axes.tick_params(labelsize=6.5, pad=1)
-        # Over few decades the ticks between powers of ten would be labelled, too, side by side.
+        # On an axis of few decades, minor ticks would be labelled, too, too close to one another.
         axes.xaxis.set_minor_formatter(NullFormatter())
     set_ticks(panels[0], shown, right=False)
     figure.supylabel("worst error of all points, eps of the scale", fontsize=8)
@@ -327,7 +327,7 @@ def draw_panels(records: Sequence[Record]) -> Figure:
 def _draw_small(axes: Any, record: Record, marks: Sequence[ChartPoint], copy: float | None) -> None:
     draw_panel(axes, marks, copy, LINE)
     system, _, quantity = record.quantity.partition(".")
-    # Longer names would run into those beside them.
+    # Longer names would run into those next to them.
     axes.set_title(f"{system}\n{quantity}", fontsize=min(7.0, 7.0 * ROOM / len(quantity)))
     for mark in reversed(marks):
         draw_mark(axes, mark, SIZE)

@@ -1,7 +1,7 @@
-"""Points of a chart: what a record says of time and error, the Pareto front, and a sentence.
+"""Points of a chart: time and error from a record, the Pareto front, and a headline.
 
-Accuracy against cost with its front is how Herbie has shown its rewrites since Saiki et al. (2021);
-here both are measured, the cost on a machine that is named.
+Herbie has shown its rewrites as accuracy against cost with the front since Saiki et al. (2021);
+here both are measured, the cost on a named machine.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ from mechproof.measured import COPY, MeasuredWay, Record, Timing
 
 Family = Literal["shipped", "written", "installed", "approximate"]
 FAMILIES: tuple[Family, ...] = ("shipped", "written", "installed", "approximate")
-# An exact result has no place on a logarithmic axis: errors below this, in eps, are drawn here.
+# Zero has no place on a logarithmic axis: errors below this, in eps, are drawn here.
 SMALLEST_ERROR = 0.1
 # With an error of a tenth of the scale no digit is right, however large the error.
 NO_DIGIT = 0.1 / 2.0**-52
 # Heights, in digits lost, of the two lanes for results without an error in eps.
 LOST_LANE, TURNS_LANE = 16.2, 18.6
-# The largest number of points in a call that is drawn: there both caches and pages count.
+# The largest number of points per call that is drawn: both caches and pages matter there.
 LARGEST = 100_000
-# Errors below this are told in eps, larger ones in digits lost.
+# Errors below this are given in eps, larger ones in digits lost.
 FEW_EPS = 1000
 
 
@@ -31,7 +31,7 @@ FEW_EPS = 1000
 class ChartPoint:
     """A way on the chart: nanoseconds per point in calls of `count`, and its worst error.
 
-    error is scaled (`Record.error_unit`), infinite where a result with a bound is lost; turns says
+    `error` is scaled (`Record.error_unit`), infinite if a result with a bound is lost; `turns` says
     that some result is wrong by whole turns.
     """
 
@@ -44,18 +44,18 @@ class ChartPoint:
 
     @property
     def has_digits(self) -> bool:
-        """Say whether a digit of every result is right."""
+        """Return whether every result has a correct digit."""
         return not self.turns and self.error < NO_DIGIT
 
     @property
     def height(self) -> float:
-        """Return the digits lost, or the lane of results without a right digit."""
+        """Return the digits lost, or the lane of results without a correct digit."""
         if self.turns:
             return TURNS_LANE
         return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE
 
     def tell_error(self) -> str:
-        """Say, in the words of a sentence, what the way was seen to lose."""
+        """Return a verb phrase with the worst loss that was measured."""
         if self.turns:
             return "is somewhere wrong by whole turns"
         if not self.has_digits:
@@ -67,7 +67,7 @@ class ChartPoint:
 
 
 def list_workloads(record: Record) -> list[tuple[str, int]]:
-    """List the workloads, each with the largest size that is drawn."""
+    """Return the workloads, each with the largest size that is drawn."""
     sizes: dict[str, int] = {}
     for row in record.times:
         if row.count <= LARGEST:
@@ -82,9 +82,9 @@ def find_usual_set(record: Record) -> str:
 
 
 def collect_marks(record: Record, workload: str, count: int, only: str = "") -> list[ChartPoint]:
-    """Pair time and error on one point set, or on all; the shipped way is the first.
+    """Pair time and error on one point set, or on all; the shipped way comes first.
 
-    On all sets, ways that were not measured on each of those of the first are left out.
+    For all sets, ways not measured on every set of the shipped way are left out.
     """
     wanted = {only} if only else {row.set for row in record.errors_of(record.ways[0].name)}
     marks = (_make_mark(record, way, workload, count, wanted) for way in record.ways)
@@ -105,7 +105,7 @@ def _make_mark(
 
 
 def _count_small_turns(record: Record, name: str) -> int:
-    """Count the points of a set at which a turn is a few eps: an accurate way is off by one."""
+    """Return the most wrong branches of an accurate way: there a turn is just a few eps."""
     accurate = (
         row.wrong_branch
         for row in record.sets
@@ -123,13 +123,13 @@ def _find_family(record: Record, way: MeasuredWay) -> Family:
 
 
 def find_time(record: Record, way: str, workload: str, count: int) -> Timing | None:
-    """Return the time at this size, or at the largest size below that was worth it."""
+    """Return the time at this size, or at the largest smaller size that was timed."""
     rows = (r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count)
     return max(rows, key=lambda row: row.count, default=None)
 
 
 def find_copy(record: Record, workload: str, count: int) -> float | None:
-    """Return what copying the result takes, in nanoseconds per point."""
+    """Return the time for copying the result, in nanoseconds per point."""
     found = find_time(record, COPY, workload, count)
     return found.median if found else None
 
@@ -137,7 +137,7 @@ def find_copy(record: Record, workload: str, count: int) -> float | None:
 def find_front(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
     """Return the marks that no other beats in both time and error, fastest first.
 
-    What has no digit right is not on it.
+    A mark without a correct digit is not among them.
     """
     front: list[ChartPoint] = []
     for mark in sorted(marks, key=lambda m: (m.time, m.error)):
@@ -147,9 +147,9 @@ def find_front(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
 
 
 def find_best(marks: Sequence[ChartPoint], most: int = 1) -> list[ChartPoint]:
-    """Return the most accurate marks of each family, of equals the fastest; the shipped one first.
+    """Return the most accurate marks of each family, the faster of equals; the shipped one first.
 
-    The first mark stands for its family.
+    The first mark alone represents its family.
     """
     best = [marks[0]]
     for family in FAMILIES[1:]:
@@ -158,19 +158,19 @@ def find_best(marks: Sequence[ChartPoint], most: int = 1) -> list[ChartPoint]:
 
 
 def rank(mark: ChartPoint) -> tuple[float, float]:
-    """Order by what is lost, then by time."""
+    """Return a sort key: first what is lost, then time."""
     return (mark.height, mark.time)
 
 
 def write_eps(error: float) -> str:
-    """Write an error in eps with three digits, or with up to six before its point."""
+    """Write an error in eps to three significant digits, or as an integer from 1000 to 10^6."""
     return f"{error:.0f}" if 1000 <= error < 1e6 else f"{error:.3g}"
 
 
 def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
-    """Say in one sentence how the first mark, the shipped way, stands among the others.
+    """Return a sentence that compares the first mark, the shipped way, with the others.
 
-    `searched` is the worst error in eps that a search found for it, told where it is larger.
+    `searched` is the worst error in eps that a search found for it, mentioned if it is larger.
     """
     shipped, others = marks[0], [mark for mark in marks if mark.family != "shipped"]
     subject = "The shipped kernel" if shipped.name == "kernel" else shipped.name
@@ -193,7 +193,7 @@ def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
 
 
 def _name_auxiliary(said: str) -> str:
-    """Return the auxiliary verb for one that was said, as in: is off, as is another."""
+    """Return the auxiliary verb that stands in for a phrase's verb: is off, as is another."""
     verb = next(word for word in said.split() if word in ("is", "has", "loses"))
     return "does" if verb == "loses" else verb
 

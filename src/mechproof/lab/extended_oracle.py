@@ -1,7 +1,7 @@
 """The extended oracle: a kernel's own operations in long doubles, millions of points a minute.
 
-What cancels loses bits here, too, and a formula that is wrong is wrong in both. Such shadow values
-are those of FpDebug (Benz et al. 2012); they lead a search here, and balls judge what it finds.
+Cancellation loses bits here, too, and a wrong formula is wrong in both. Such shadow values are
+those of FpDebug (Benz et al. 2012); they only guide a search here, and balls judge its finds.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
 @dataclass(frozen=True)
 class Extended:
-    """What is run for a quantity: its code, the scale of its errors, where its bound is stated."""
+    """The programs run for a quantity: its code, its errors' scale, and the bound's domain."""
 
     subject: Subject
     code: KernelCode
@@ -59,7 +59,7 @@ class Extended:
             value = np.stack([np.broadcast_to(v, count) for v in values], -1)
             high = value.astype(float)
             held = np.isfinite(high).all(-1)
-            # Decided as a kernel does, to which an irrational end is its double.
+            # Decided as a kernel decides it, which rounds an irrational end to a double.
             held &= _holds(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
             held &= _holds(self.conditions, given, IN_EXTENDED)
             for slack in run(self.slacks, given, IN_EXTENDED) if self.slacks else ():
@@ -71,7 +71,7 @@ class Extended:
         return Truth(high.reshape(shape), low.reshape(shape), held, scale)
 
     def _mark_near(self, given: Values) -> Any:
-        """Mark the points of the domain; for sums only the kernel itself can tell."""
+        """Return a mask of points near the domain; for sums only the kernel can decide this."""
         if self.code.indexed:
             return True
         names = input_names(self.subject.quantity)
@@ -89,7 +89,7 @@ class Extended:
         return scale
 
     def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
-        """Give every input its values: numbers, components, elements before the axis of points."""
+        """Return all inputs by name: numbers, components, elements (points on the last axis)."""
         constants = {name: kind(digits) for name, digits in DIGITS_OF.items()}
         return {**constants, **name_values(self.subject.quantity, self.code, arguments, kind)}
 
@@ -97,7 +97,7 @@ class Extended:
 def name_values(
     quantity: Quantity, code: KernelCode, arguments: Arguments, kind: type[np.floating[Any]]
 ) -> Values:
-    """Return the values of arguments, of vectors by the names of their components in the code."""
+    """Return the arguments by name, and vectors by the names of their components in the code."""
     given: Values = {}
     vectors = dict(code.vectors)
     for argument, array in zip(quantity.arguments, arguments, strict=True):
@@ -127,7 +127,7 @@ def _lower(subject: Subject, where: Mapping[sp.Symbol, sp.Expr], *outputs: sp.Ex
     names = input_names(subject.quantity)
     steps = {s: v for s, v in {**subject.domain.given, **where}.items() if s not in names}
     plain = arrange(frozenset(names), steps.items(), sp.ImmutableDenseMatrix(outputs))
-    # Rewritten as the value is, so that what both have in common cancels in neither.
+    # Rewritten as the value is, so that common parts cancel in neither.
     found = share_subexpressions(apply_rewrites(plain, subject.quantity.shipped[-1].rewrites))
     return lower_steps(
         names, frozenset(), tuple(names.values()), found.steps, entries(found.output)
@@ -142,7 +142,7 @@ def _lower_scale(subject: Subject) -> Program | None:
 
 
 def _lower_within(subject: Subject) -> tuple[Program | None, Program | None]:
-    """Return what is not negative where the bound is stated, and what else holds there."""
+    """Return the slacks that are not negative where the bound holds, and its other conditions."""
     accuracy, names = subject.quantity.accuracy, input_names(subject.quantity)
     relations = accuracy.within if accuracy else ()
     slacks = {r: slack for r in relations if (slack := find_slack(r)) and not r.has(sp.Indexed)}

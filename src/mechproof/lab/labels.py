@@ -1,6 +1,6 @@
 """A panel of a chart: marks by family, the Pareto front and the lanes.
 
-Beside the points stand labels, where there is room.
+Labels are placed next to the points where there is room.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SHORT_LANES = ("no digit", "turns")
 
 @dataclass(frozen=True)
 class MarkerStyle:
-    """How a family is drawn: told apart by shape, and by lightness where it is printed in grey."""
+    """How a family is drawn: distinguished by shape, and by lightness when printed in grey."""
 
     says: str
     marker: str
@@ -52,7 +52,7 @@ LOOKS: Mapping[Family, MarkerStyle] = {
 def draw_panel(
     axes: Any, marks: Sequence[ChartPoint], copy: float | None, width: float = 1.3
 ) -> None:
-    """Draw the front, the lanes and the time of a copy, between the ends of time that are set."""
+    """Draw the front, the lanes and the time of a copy, within the time limits already set."""
     axes.set(xscale="log", ylim=(LOWEST, find_top(marks)))
     axes.grid(which="major", color="0.93", lw=0.6)
     for lane in (LOST_LANE, TURNS_LANE):
@@ -63,7 +63,7 @@ def draw_panel(
 
 
 def find_top(marks: Sequence[ChartPoint]) -> float:
-    """Return the upper end of the axis; the lane of whole turns is there if it is needed."""
+    """Return the upper end of the axis, which includes the lane of whole turns only if needed."""
     highest = TURNS_LANE if any(mark.turns for mark in marks) else LOST_LANE
     return highest + LANE / 2
 
@@ -78,7 +78,7 @@ def draw_mark(axes: Any, mark: ChartPoint, size: float) -> None:
 
 
 def trace_front(axes: Any, front: Sequence[ChartPoint]) -> tuple[list[float], list[float]]:
-    """Return the corners of the front from its fastest to the end of the axis."""
+    """Return the corners of the front, from its fastest mark to the end of the axis."""
     end = axes.get_xlim()[1]
     return [*(m.time for m in front), end], [*(m.height for m in front), front[-1].height]
 
@@ -96,9 +96,9 @@ def _draw_front(axes: Any, front: Sequence[ChartPoint], width: float) -> None:
 
 
 def set_ticks(axes: Any, marks: Sequence[ChartPoint], right: bool = True) -> None:
-    """Label errors in eps and the lanes at the left, and the digits that are right at the right.
+    """Label errors in eps and the lanes on the left, and correct digits on the right.
 
-    Without the right the panel is a small one: labels are fewer, and of a line each.
+    Without the labels on the right the panel is a small one: labels are fewer, and one line each.
     """
     powers = {float(n): f"$10^{{{n}}}$" if n else "1" for n in range(0, 15, 3 if right else 6)}
     names = LANES if right else SHORT_LANES
@@ -124,11 +124,11 @@ SIGNS = {
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # More names than this crowd a panel.
 NAMES = 12
-# Relative size of marks without names, and the distance in pixels from which two marks are told
-# apart.
+# Relative size of marks without names, and the least distance in pixels between two marks that
+# both get names.
 SMALL, APART = 0.6, 16
-# Where a name may stand: the shift of its box from its mark in points, and the part of its width
-# and height that it is shifted by, nearest first.
+# Where a name may be placed: the shift of its box from its mark in points, and the part of its
+# width and height that it is shifted by, nearest first.
 PLACES = [
     (reach * dx, reach * dy, fx, fy)
     for reach in (8, 13, 18, 24, 32)
@@ -142,7 +142,7 @@ PLACES = [
 def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) -> list[ChartPoint]:
     """Order the marks to be named: the shipped way, the front, two of each family, then far ones.
 
-    `spots` are places in pixels; marks that lie on an earlier one are left out.
+    `spots` are places in pixels; marks too close to an earlier one are left out.
     """
     chosen = list(dict.fromkeys([marks[0], *find_front(marks), *find_best(marks, 2)]))
     rest = [mark for mark in marks if mark not in chosen]
@@ -155,7 +155,7 @@ def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) 
 
 
 def set_signs(text: str) -> str:
-    """Write relations, products and powers as people do; nothing breaks before a difference."""
+    """Typeset relations, products and powers, with no line break around a minus sign."""
     for typed, written in SIGNS.items():
         text = text.replace(typed, written)
     raised = re.sub(r"\*\*(-?\d+)", lambda power: power[1].translate(RAISED), text)
@@ -169,9 +169,9 @@ def name_marks(
     copy: float | None,
     proved: Mapping[str, str],
 ) -> list[ChartPoint]:
-    """Draw marks after the layout, with names where these have room; return the named.
+    """Draw marks after the layout, with names where there is room; return the named marks.
 
-    The others are drawn small. `proved` tells of the bounds of errors, by the names of ways.
+    The others are drawn small. `proved` has texts about proved bounds, by the names of ways.
     """
     spots = {mark: _as_spot(axes.transData.transform((mark.time, mark.height))) for mark in marks}
     room = Room(axes, [_box_around(spot, spot, 7) for spot in spots.values()])
@@ -191,9 +191,9 @@ def name_marks(
 
 
 def write_name(mark: ChartPoint, shipped: ChartPoint, count: int) -> str:
-    """Return the name of a way and its time over that of the shipped way.
+    """Return the name of a way and its time relative to the shipped way.
 
-    The size that it was timed at is told where it is another.
+    The size that it was timed at is added if it differs from `count`.
     """
     size = "" if mark.count == count else f", N = {mark.count:,}"
     if mark is shipped:
@@ -205,7 +205,7 @@ def write_name(mark: ChartPoint, shipped: ChartPoint, count: int) -> str:
 
 @dataclass
 class Room:
-    """What is free in a panel, in pixels: `taken` has marks and lines, `names` also their ties."""
+    """The occupied boxes of a panel, in pixels: of marks and lines, and of names and their ties."""
 
     axes: Any
     taken: list[Bbox]
@@ -230,7 +230,7 @@ class Room:
         return False
 
     def _find_place(self, x: float, y: float) -> Spot:
-        """Return a place in parts of the panel, which a picture of other pixels shares."""
+        """Return a place in fractions of the panel, which do not depend on the resolution."""
         return _as_spot(self.axes.transAxes.inverted().transform((x, y)))
 
     def _is_free(self, box: Bbox, band: Spot, tie: Sequence[Bbox]) -> bool:
@@ -241,7 +241,7 @@ class Room:
 
 
 def _find_band(axes: Any, mark: ChartPoint) -> Spot:
-    """Return between which heights a name may stand: no name in the lane of others."""
+    """Return the heights between which a name may be placed: not in a lane of other marks."""
     lost, turns = LOST_LANE - LANE / 2, TURNS_LANE - LANE / 2
     band = (turns, find_top([mark])) if mark.turns else (LOWEST, lost if mark.has_digits else turns)
     low, high = (axes.transData.transform((mark.time, height))[1] for height in band)

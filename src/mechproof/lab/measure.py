@@ -1,6 +1,6 @@
-"""Measure: accuracy, proofs and time of every way of computing a quantity, into one record.
+"""Measure: accuracy, proofs and time of every way of computing a quantity, in one record.
 
-Records report the points of the seed REPORT; the search climbs from those of the seed TUNE.
+Records report on points drawn with the seed REPORT; the search starts from those of the seed TUNE.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from mechproof.record import Accuracy
 
 @dataclass(frozen=True)
 class Depth:
-    """How much is measured: the most points of a set, rounds of the search, and times."""
+    """How much is measured: points per set at most, rounds of the search, and effort of timing."""
 
     points: int | None
     rounds: int
@@ -53,9 +53,9 @@ def measure(
 ) -> Record:
     """Return the record of one quantity: its ways, errors on sets and in cells, search, times.
 
-    What is `known` to be a bad input, of an earlier record, counts unless the search finds worse.
-    An executor of `concurrent.futures` spreads the accuracy, which it does not change. Times are
-    taken here, alone, when it has nothing left to do.
+    Bad inputs `known` from an earlier record count unless the search finds worse ones. An executor
+    of `concurrent.futures` spreads the measurement of accuracy, without changing the result. Times
+    are taken in this process, when the executor has nothing left to do.
     """
     check_executor(executor)
     depth, accuracy = DEPTHS[quick], subject.quantity.accuracy
@@ -95,7 +95,7 @@ def _name_scale(accuracy: Accuracy | None) -> str:
 
 
 def describe_ways(subject: Subject) -> tuple[MeasuredWay, ...]:
-    """Describe every way; what the ledger's rows say of its source is decided here."""
+    """Describe every way; the ledger's rows about its source are judged here."""
     return tuple(_describe(subject, way) for way in subject.ways)
 
 
@@ -124,7 +124,7 @@ VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint", "numba")
 
 
 def describe_machine() -> Machine:
-    """Describe the processor, what NumPy uses of it, and the versions that decide results."""
+    """Describe the processor, the SIMD extensions NumPy uses, and versions that affect results."""
     simd = np.show_config(mode="dicts")["SIMD Extensions"]
     return Machine(
         processor=_processor(),
@@ -137,7 +137,7 @@ def describe_machine() -> Machine:
 
 
 def _list_versions() -> Iterator[tuple[str, str]]:
-    """Yield what is installed of the packages that decide results."""
+    """Yield the installed versions of the packages that affect results."""
     for name in VERSIONS:
         with suppress(PackageNotFoundError):
             yield name, version(name)
