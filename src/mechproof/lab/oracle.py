@@ -1,12 +1,13 @@
 """The oracle: a quantity's definition at exact doubles, decided far below half an ulp; and errors.
 
 The same SymPy expression that the proofs are about is enclosed in a ball, at rising precision until
-the ball is small enough. What stays undecided is marked, never dropped. Raising the precision until
-a result is decided is Ziv's strategy (1991), which Herbie's oracle follows with intervals.
+the ball is small enough. Values that stay undecided are marked, never dropped. Raising the
+precision until a result is decided is Ziv's strategy (1991), which Herbie's oracle follows with
+intervals.
 
-Against that a result has errors: ulps, bits, wrong branches, NaN and infinity. Bits are a logarithm
-of the error, as in Herbie (Panchekha et al. 2015), which counts the doubles between; here ulps of
-the truth are counted, for most doubles lie near zero.
+A result's errors against that truth are ulps, bits, wrong branches, NaN and infinity. Bits are a
+logarithm of the error, as in Herbie (Panchekha et al. 2015), which counts the doubles between
+result and truth; here ulps of the truth are counted instead, as most doubles lie near zero.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from mechproof.programs.evaluation import count_axes, entries, result_shape
 DECIDED_BITS = 65
 # 1 - cos(1e-300) keeps 65 bits if 2100 are carried; the last steps are for such points only.
 PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
-# A ball integral at more bits takes seconds; shares below some 1e-50 stay undecided.
+# A ball integral at more bits takes seconds; shares below about 1e-50 stay undecided.
 PRECISIONS_OF_INTEGRALS = (128, 256)
 # The scale of an error is needed to a few digits only.
 SCALE_BITS = 30
@@ -43,8 +44,8 @@ NOTHING = (np.nan, np.nan, np.nan, np.nan, np.nan)
 class Truth:
     """Exact values as two doubles, high + low; shape (points, *trailing axes).
 
-    `scale` is the size the bound refers to, (points,); NaN where it or the value is undecided, None
-    for a quantity without an accuracy bound.
+    `scale` is the size that the bound refers to, of shape (points,): NaN where it or the value is
+    undecided; None for a quantity without an accuracy bound.
     """
 
     high: Array
@@ -76,7 +77,7 @@ def find_truth(subject: Subject, arguments: Arguments) -> Truth:
 def _find_scale(
     subject: Subject, high: Array, points: list[Mapping[sp.Basic, Any]]
 ) -> Array | None:
-    """Evaluate the scale of the accuracy bound: without a scale the value's own size."""
+    """Evaluate the scale of the accuracy bound, or the value's own size if it has none."""
     accuracy, given = subject.quantity.accuracy, subject.domain.given
     if accuracy is None:
         return None
@@ -89,7 +90,7 @@ def _find_scale(
 
 
 def list_values(subject: Subject, arguments: Arguments) -> Iterator[Mapping[sp.Basic, Any]]:
-    """Give every symbol of the definition its exact value, point by point."""
+    """Yield, for each point, the exact values of all symbols of the definition."""
     axes = [_count_own_axes(subject, i) for i in range(len(arguments))]
     count = count_points(subject, arguments)
     shaped = [
@@ -101,7 +102,7 @@ def list_values(subject: Subject, arguments: Arguments) -> Iterator[Mapping[sp.B
 
 
 def count_points(subject: Subject, arguments: Arguments) -> int:
-    """Count the points: the leading axis of the arguments that have one."""
+    """Return the number of points: the leading axis of the arguments that have one."""
     leading = [
         np.shape(a)[: np.ndim(a) - _count_own_axes(subject, i)] for i, a in enumerate(arguments)
     ]
@@ -130,16 +131,16 @@ def _name_values(subject: Subject, row: list[Array]) -> dict[sp.Basic, Any]:
 
 
 def _counts(subject: Subject) -> set[sp.Basic]:
-    """Find the symbols that say how many terms the sums of the definition have."""
+    """Return the symbols that are the numbers of terms of the definition's sums."""
     sums = subject.quantity.definition.atoms(sp.Sum)
     return {s for total in sums for limit in total.limits for s in limit[2].free_symbols}
 
 
 def _to_pairs(subject: Subject, values: Mapping[sp.Basic, Any]) -> Iterator[tuple[float, float]]:
-    """Return the entries of the value, each as two doubles.
+    """Yield the entries of the value, each as two doubles.
 
-    Definition and form are equal: where the ball of the first stays wide, as that of a difference
-    of equal sines does, the form's inside it counts.
+    Definition and form are equal: if the ball of the definition stays wide, as for a difference of
+    equal sines, the ball of a form that is decided counts.
     """
     for index, entry in enumerate(entries(subject.exact)):
         pair = _to_pair(entry, values)
@@ -156,7 +157,7 @@ def _is_defined(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> bool:
 
 
 def _to_pair(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> tuple[float, float]:
-    """Return the value as two doubles, NaN where it is undecided."""
+    """Return the value as two doubles, NaN if it is undecided."""
     if not np.isfinite([float(v) for v in values.values()]).all():
         return np.nan, np.nan
     precisions = PRECISIONS_OF_INTEGRALS if expression.has(sp.Integral) else PRECISIONS
@@ -172,10 +173,10 @@ def _to_pair(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> tuple[floa
 def _to_double(
     expression: sp.Basic, given: Mapping[sp.Basic, sp.Expr], values: Mapping[sp.Basic, Any]
 ) -> float:
-    """Return the value as a double, NaN where it is undecided.
+    """Return the value as a double, NaN if it is undecided.
 
-    Given symbols get balls of their own: written out, SymPy cannot see that what is under
-    |...| is real and turns it into a root of a product with its conjugate.
+    Given symbols get balls of their own: if they were substituted, SymPy could not see that the
+    argument of |...| is real, and would turn it into a root of a product with its conjugate.
     """
     for bits in PRECISIONS:
         ball = evaluate(expression, give_balls(expression, given, values, bits), bits)
@@ -199,13 +200,13 @@ def give_balls(
 
 @dataclass(frozen=True)
 class Errors:
-    """Errors point by point, shape (points,).
+    """Errors at each point, shape (points,).
 
-    absolute: |result - exact|, the norm of it for a vector, the largest entry of a matrix.
-    ulp: in units in the last place of the exact value (of the vector's norm, of the matrix's
-    largest entry). scaled: in eps times the scale of the accuracy bound; without one, as ulp.
-    Undecided points are NaN in all three; where the result is NaN or infinite and the truth is
-    not, all three are infinite.
+    `absolute` is |result - exact|, its norm for a vector, or its largest entry for a matrix. `ulp`
+    is in units in the last place of the exact value (of the vector's norm, of the matrix's largest
+    entry). `scaled` is in eps times the scale of the accuracy bound, or as `ulp` without a bound.
+    All three are NaN at undecided points, and infinite where the result is NaN or infinite but the
+    truth is not.
     """
 
     absolute: Array
@@ -229,8 +230,8 @@ def find_errors(result: Any, truth: Truth) -> Errors:
     if result.shape != truth.high.shape:
         raise ValueError(f"result: shape {result.shape}, the truth has {truth.high.shape}")
     with np.errstate(all="ignore"):
-        # The first difference is exact where the result is within a factor 2 of the truth
-        # (Sterbenz 1974), so that no error of a few ulps is blurred.
+        # The first difference is exact if the result is within a factor of 2 of the truth
+        # (Sterbenz 1974), so that errors of a few ulps are not blurred.
         gap = (result.astype(np.float64) - truth.high) - truth.low
         absolute, size = _measure_size(gap), _measure_size(truth.high)
         # An error of at most one subnormal spacing is due to the range of doubles, not to the
@@ -245,13 +246,13 @@ def find_errors(result: Any, truth: Truth) -> Errors:
 
 
 def _scale(visible: Array, scale: Array) -> Array:
-    """Return errors in eps of the scale; one whose scale is undecided must not pass: infinite."""
+    """Return errors in eps of the scale; infinite for an undecided scale, so that none passes."""
     scaled = np.where(visible == 0, 0.0, visible / (EPS * scale))
     return np.where((visible > 0) & np.isnan(scale), np.inf, scaled)
 
 
 def _measure_size(values: Array) -> Array:
-    """Return |x|, the norm of a vector, the largest entry of a matrix; one number per point."""
+    """Return |x|, the norm of a vector or the largest entry of a matrix; one number per point."""
     if values.ndim == 1:
         return np.abs(values)
     if values.ndim == 2:
@@ -264,7 +265,7 @@ def _measure_size(values: Array) -> Array:
 
 
 def count_wrong_branches(errors: Errors, period: float | None) -> int:
-    """Count finite results that are nearer to another branch than to the right one."""
+    """Return the number of finite results nearer to another branch than to the right one."""
     if period is None:
         return 0
     finite = np.isfinite(errors.absolute)
@@ -274,7 +275,7 @@ def count_wrong_branches(errors: Errors, period: float | None) -> int:
 def summarise(
     errors: Errors, truth: Truth, period: float | None = None, name: str = "", way: str = ""
 ) -> SetErrors:
-    """Count the errors of one way on one point set, and find the largest, wherever they are."""
+    """Return the counts and the largest and mean errors of one way on one point set."""
     decided = truth.decided
     if not decided.any():
         return SetErrors(name, way, len(decided), truth.undecided, 0, 0, 0, *NOTHING)

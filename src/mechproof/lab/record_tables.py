@@ -1,6 +1,6 @@
 """Tables of the records: what every way loses and costs, relative to what, as one page.
 
-Beside the measured stand the claims of the certificates, what is proved of rounding errors.
+Next to the measurements are the claims of the certificates: the proved bounds of rounding errors.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
 
 
 def list_claims(record: Record) -> tuple[RoundingClaim, ...]:
-    """List what is proved of a quantity's kernels, none if they are not of the package."""
+    """Return the proved claims about a quantity's kernels; none outside the package."""
     certificate = _find_packaged(record.quantity.partition(".")[0])
     return select_claims(record, [certificate] if certificate else ())
 
 
 def select_claims(record: Record, certificates: Iterable[Certificate]) -> tuple[RoundingClaim, ...]:
-    """List what certificates claim of a quantity."""
+    """Return the claims of certificates about a quantity."""
     claims = ((f"{c.system}.{claim.quantity}", claim) for c in certificates for claim in c.claims)
     return tuple(claim for name, claim in claims if name == record.quantity)
 
@@ -53,14 +53,14 @@ def find_way(record: Record, claim: RoundingClaim) -> str:
 
 
 def find_searched(record: Record) -> Mapping[str, float]:
-    """Find the worst error in eps that searches found for each way, when measuring or proving."""
+    """Return the worst error in eps that any search found for each way, measuring or proving."""
     found = [(searched.way, searched.scaled) for searched in record.searched]
     found += [(find_way(record, claim), claim.found) for claim in list_claims(record)]
     return {way: max(error for name, error in found if name == way) for way, _ in found}
 
 
 def tell_proved(record: Record) -> Mapping[str, str]:
-    """Tell the largest bound of all forms of a way, and the worst error that was found, in eps."""
+    """Return, for each way, the largest bound of its forms and the worst error found, in eps."""
     highest: dict[str, RoundingClaim] = {}
     for claim in sorted(list_claims(record), key=lambda claim: claim.proved):
         highest[find_way(record, claim)] = claim
@@ -72,7 +72,7 @@ def tell_proved(record: Record) -> Mapping[str, str]:
 
 
 def tell_where(record: Record) -> str:
-    """Say for which arguments the bounds are, form by form; nothing without any."""
+    """Return the arguments for which the bounds hold, form by form; "" if there are no bounds."""
     places = {claim.form: tell_place(claim.where) for claim in list_claims(record)}
     told = "; ".join(f"{form}{place}" for form, place in places.items())
     return f"Proved: {told}; provided {NORMAL}." if told else ""
@@ -108,7 +108,7 @@ functions are in the records beside.
 
 
 def headline(record: Record) -> str:
-    """Return the worst error of what is shipped against its accuracy bound, in a line."""
+    """Return a line with the worst error of the shipped way against its accuracy bound."""
     rows = record.errors_of(record.ways[0].name)
     found = (e for s in record.searched for e in (record.worst_of(s.way), s.scaled))
     worst = max(error for error in found if error is not None)
@@ -121,7 +121,7 @@ def list_lines(
     records: Sequence[Record],
     find_claims: Callable[[Record], Sequence[RoundingClaim]] = list_claims,
 ) -> Iterator[str]:
-    """List the lines of the page, with what is claimed of the quantities."""
+    """Yield the lines of the page, including the claims about the quantities."""
     yield INTRODUCTION
     shipped = (_describe_shipped(record, found) for record in records for found in record.searched)
     yield from _table(SHIPPED_HEAD, shipped)
@@ -150,7 +150,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
 
 
 def _join_equal(rows: Iterable[Sequence[str]]) -> Iterator[Sequence[str]]:
-    """Join consecutive ways that differ in nothing but their name into one line."""
+    """Join consecutive ways that differ in nothing but their names into one line."""
     for shared, equal in groupby(rows, key=lambda row: tuple(row[1:])):
         yield "; ".join(row[0] for row in equal), *shared
 
@@ -217,7 +217,7 @@ def _describe_way(record: Record, way: MeasuredWay) -> Sequence[str]:
 
 
 def _describe_verdict(way: MeasuredWay) -> str:
-    """Add the part of the domain, and where a bound was proved: with the verdict or apart."""
+    """Return the verdict with its part of the domain, and whether a bound was proved with it."""
     part = f" on {way.proved_on}" if way.proved_on else ""
     if not way.bound:
         return way.verdict + part
@@ -227,14 +227,14 @@ def _describe_verdict(way: MeasuredWay) -> str:
 
 
 def _mean_bits(rows: Sequence[SetErrors]) -> float | None:
-    """Average over the decided points of all sets."""
+    """Return the average over the decided points of all sets, or None without a set."""
     counts = [row.points - row.undecided for row in rows]
     bits = sum(n * row.mean_bits for n, row in zip(counts, rows, strict=True))
     return bits / sum(counts) if rows else None
 
 
 def _count(numbers: Iterable[int]) -> str:
-    """Add up; nothing stays empty, so that what failed is seen."""
+    """Return the sum as text; "" for zero, so that failures stand out."""
     total = sum(numbers)
     return str(total) if total else ""
 
@@ -253,7 +253,7 @@ def _list_times(record: Record, workload: str) -> Iterator[str]:
 
 
 def _time(row: Timing | None) -> str:
-    """Write median and ratio; a way that was too slow for a size is not timed."""
+    """Return median and ratio; a way that was too slow for a size is not timed."""
     if row is None:
         return "not timed"
     return f"{row.median:.3g}" + (f" ({row.ratio:.3g})" if row.ratio else "")

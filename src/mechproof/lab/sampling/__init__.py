@@ -1,1 +1,1 @@
-"""Sampling: in, what a derivation states of its arguments; out, points chosen to hurt."""
+"""Sampling: from the facts that a derivation states of its arguments to points chosen to hurt."""

@@ -15,7 +15,7 @@ from mechproof.record import Argument
 Rng = np.random.Generator
 Draw = Callable[[Rng, int], Columns]
 BATCHES, HOPELESS = 8, 1
-# Range from which a size is drawn if nothing is known of it.
+# Range from which a size is drawn if nothing is known about it.
 UNKNOWN = (0.1, 10.0)
 MOST_COUNTED = 1e6
 # Logarithms of sizes in a range from zero go down to this share of its upper end.
@@ -25,7 +25,7 @@ SIGNS, THIRDS, SPREADS = np.array([-1.0, 1.0]), np.array([-1.0, 0.0, 1.0]), np.a
 
 
 def draw_inside(facts: Facts, rng: Rng, count: int, draw: Draw) -> Columns:
-    """Draw until `count` points lie in the domain, or none at first; the others are dropped."""
+    """Draw until `count` points lie in the domain, or no longer if at first none do."""
     kept: list[Columns] = []
     found = 0
     for batch in range(BATCHES):
@@ -42,18 +42,18 @@ def _keep_inside(facts: Facts, columns: Columns) -> Columns:
 
 
 def pick(rng: Rng, values: Array, count: int | tuple[int, ...]) -> Array:
-    """Draw from values as `rng.choice` does, in a third of its time where they are few."""
+    """Draw from values as `rng.choice` does, in a third of the time if the values are few."""
     picked: Array = values[rng.integers(0, len(values), count)]
     return picked
 
 
 def count_points(columns: Columns) -> int:
-    """Count the points."""
+    """Return the number of points."""
     return len(next(iter(columns.values())))
 
 
 def draw_mixed(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw each point in one of the ways: usual, published, published and off a little, wide."""
+    """Draw each point in one of four ways: usual, published, roughly published, wide."""
     ways = draw_usual, draw_published, draw_about_published, draw_wide
     tables = [way(facts, rng, count) for way in ways]
     chosen = rng.integers(0, len(ways), count)
@@ -61,7 +61,7 @@ def draw_mixed(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def draw_usual(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw from the ranges between usual edges; published sizes for arguments without."""
+    """Draw from the ranges between usual edges; published sizes for arguments without edges."""
     columns = dict(draw_published(facts, rng, count))
     for argument in facts.arguments:
         if argument.usual:
@@ -73,7 +73,7 @@ def draw_usual(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def draw_sizes(rng: Rng, low: Array, high: Array, beyond: float = np.inf) -> Array:
-    """Draw sizes between limits: evenly, by the logarithm, toward a place beyond, at the ends."""
+    """Draw sizes between limits: evenly, by logarithm, towards a place beyond, or at the ends."""
     count = len(low)
     floor = np.where(low > 0, low, high * SMALL)
     drawn = [rng.uniform(low, high), np.exp(rng.uniform(np.log(floor), np.log(high)))]
@@ -86,7 +86,7 @@ def draw_sizes(rng: Rng, low: Array, high: Array, beyond: float = np.inf) -> Arr
 
 
 def _find_beyond(facts: Facts, argument: Argument) -> float:
-    """Return the place next to the largest usual size, infinite without one."""
+    """Return the next place beyond the largest usual size, infinity if there is none."""
     known = facts.own_places[argument.symbols[0]] if len(argument.symbols) == 1 else []
     return min((p for p in known if p >= argument.usual[-1]), default=np.inf)
 
@@ -110,7 +110,7 @@ def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes
 
 
 def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Array:
-    """Give sizes both signs where the domain has both; draw values where it has only a few."""
+    """Give sizes both signs if the domain has both; draw from its values if it has only a few."""
     if values := facts.region.list_values(symbol):
         return pick(rng, np.array(values), len(sizes))
     if facts.region.is_count(symbol):
@@ -123,7 +123,7 @@ def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Ar
 
 
 def draw_published(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw published sizes, nominal or at a limit, and usual sizes where none is published."""
+    """Draw published sizes, nominal or at a limit, or usual sizes if none is published."""
     rows = rng.integers(0, max(1, len(facts.printed)), count)
     return {symbol: _draw_printed(facts, rng, symbol, rows) for symbol in facts.symbols}
 
@@ -144,7 +144,7 @@ def _draw_printed(facts: Facts, rng: Rng, symbol: sp.Symbol, rows: Array) -> Arr
 
 
 def draw_about_published(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw published sizes off by up to 2 %, or by half."""
+    """Draw published sizes off by up to 2 %, or by up to half."""
     columns = draw_published(facts, rng, count)
     spread = pick(rng, SPREADS, count)
     return {
@@ -154,7 +154,7 @@ def draw_about_published(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def draw_wide(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw all that the sets allow: bounded ones whole and toward both ends, others by decades."""
+    """Draw all that the sets allow: bounded ones whole and towards both ends, others by decades."""
     columns = dict(draw_usual(facts, rng, count))
     for symbol, column in columns.items():
         low, high = facts.region.ends(symbol)

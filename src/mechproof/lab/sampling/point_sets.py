@@ -21,10 +21,11 @@ SWEEP, SAMPLES = 32, (3301, 201)
 
 
 def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
-    """List the point sets of a quantity: made from its facts, by hand, and sweeps.
+    """Return the point sets of a quantity: made from its facts, by hand, and sweeps.
 
-    None is made of arguments whose axes are summed over, nor where sets are written by hand and no
-    singular set is stated. `share` is the part of the usual number of points that is drawn.
+    None is made from facts if an argument has axes that are summed over, or if there are sets by
+    hand and no singular set is stated. `share` is the part of the usual number of points to be
+    drawn.
     """
     by_hand = subject.by_hand.sets
     facts = replace(subject.facts, share=share)
@@ -35,7 +36,7 @@ def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
 
 
 def list_cells(subject: Subject) -> list[Sides]:
-    """List the cells between the usual sizes of the arguments; none without any."""
+    """Return the cells between the usual sizes of the arguments; none if no argument has any."""
     edges = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
     if not edges:
         return []
@@ -50,7 +51,7 @@ def draw_in_cell(subject: Subject, rng: np.random.Generator, cell: Sides) -> Arg
 
 
 def list_workloads(subject: Subject) -> list[Workload]:
-    """List the timed calls of a quantity: the first argument varies, or those that are named."""
+    """Return the timed calls of a quantity: the named ones, or with the first argument varying."""
     if subject.by_hand.workloads:
         return list(subject.by_hand.workloads.items())
     first = subject.quantity.arguments[0].name
@@ -61,9 +62,9 @@ def list_workloads(subject: Subject) -> list[Workload]:
 
 
 def list_sweeps(subject: Subject) -> tuple[PointSet, ...]:
-    """List sweeps from 0, for ways that need samples in order and for jumps between branches.
+    """Return sweeps from 0, for ways that need ordered samples and for jumps between branches.
 
-    The end of a sweep is a singular place of a large turn, so that some samples lie on others.
+    The end of a sweep is a singular place many turns away, so that some samples lie on others.
     """
     if subject.period is None:
         return ()

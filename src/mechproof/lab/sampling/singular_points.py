@@ -1,9 +1,9 @@
-"""Point sets made from what the derivation states: about places, where they meet, tiny sizes.
+"""Point sets made from what the derivation states: near places, where they meet, tiny sizes.
 
-A place is a singular set or an edge of the domain. Its equation is solved for every argument in
-it, the others drawn; points are the nearest double, doubles up to 1000 ulps off, and distances by
-the logarithm to both sides. Where several places meet, the last is left by distances of the size
-of the product of the others', which is how wide a peak usually is there.
+A place is a singular set or an edge of the domain. Its equation is solved for each of its arguments
+in turn, with the others drawn. Points are the nearest double, doubles up to 1000 ulps off, and
+points at logarithmic distances on both sides. Where several places meet, the last one is left by
+distances about the product of the others', which is how wide a peak usually is there.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class SingularTarget:
 
 
 def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
-    """List the sets of a quantity: generic, about each singular place, the edges, tiny sizes."""
+    """Return the sets of a quantity: generic, about each singular place, the edges, far, tiny."""
     groups: list[tuple[str, tuple[ZeroSet, ...]]] = [
         (place.text, (place,)) for place in facts.singular_places
     ]
@@ -61,7 +61,7 @@ def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
 
 
 def list_targets(facts: Facts, places: tuple[ZeroSet, ...]) -> list[SingularTarget]:
-    """List every argument that can be moved onto one of the places by any distance."""
+    """Return every pair of a place and an argument that can be moved onto it by any distance."""
     return [
         SingularTarget(place, symbol)
         for place in places
@@ -77,7 +77,7 @@ def _make_generic(facts: Facts, rng: Rng) -> Arguments:
 
 
 def _make_about(facts: Facts, targets: list[SingularTarget], rng: Rng) -> Arguments:
-    """Draw a third of the points with the place alone, the others where it meets further ones."""
+    """Draw about a third of the points near the place alone, the others where it meets others."""
     known = list_targets(facts, facts.places)
     drawn = _fill(facts, rng, targets, [], ALONE) + _fill(facts, rng, targets, known, MEETING)
     joined = {s: np.concatenate([d[s] for d in drawn]) for s in facts.symbols}
@@ -118,7 +118,7 @@ def draw_about(
     count: int,
     start: Callable[[Facts, Rng, int], Columns] = draw_mixed,
 ) -> Columns:
-    """Draw points about a place, after moving other arguments next to places of theirs."""
+    """Draw points about a place, after moving other arguments near places of theirs."""
     columns, width = start(facts, rng, count), np.ones(count)
     for other in _choose_others(rng, [t for t in known if target.leaves(t)]):
         columns, distance = _move_onto(facts, rng, other, columns, np.ones(count))
@@ -127,7 +127,7 @@ def draw_about(
 
 
 def _choose_others(rng: Rng, free: list[SingularTarget]) -> list[SingularTarget]:
-    """Choose one or two targets, every place alike however many arguments it has."""
+    """Choose one or two targets, every place equally likely however many arguments it has."""
     places = list(dict.fromkeys(t.place for t in free))
     chosen = rng.permutation(len(places))[: rng.integers(1, MOST_OTHERS + 1)]
     groups = [[t for t in free if t.place == places[index]] for index in chosen]
@@ -137,7 +137,7 @@ def _choose_others(rng: Rng, free: list[SingularTarget]) -> list[SingularTarget]
 def _move_onto(
     facts: Facts, rng: Rng, target: SingularTarget, columns: Columns, width: Array
 ) -> tuple[Columns, Array]:
-    """Move an argument about a place; return how far it is from it in parts of its size, too."""
+    """Move an argument near a place; return also its distance relative to the argument's size."""
     place, symbol = target.place, target.symbol
     integers = _draw_integers(facts, rng, place, columns)
     values = {s: columns[s] for s in facts.symbols if s in place.symbols}
@@ -162,7 +162,7 @@ def _move_onto(
 def _draw_integers(
     facts: Facts, rng: Rng, place: ZeroSet, columns: Columns
 ) -> Mapping[sp.Symbol, Array]:
-    """Draw integers: those that come nearest to the values drawn, and small ones."""
+    """Draw integers: the ones nearest to the values drawn, and small ones."""
     _, integers = place.split(facts.symbols)
     found = {}
     for integer in integers:
@@ -174,7 +174,7 @@ def _draw_integers(
 
 
 def _spread(rng: Rng, roots: Array, size: Array, width: Array) -> Array:
-    """Return the roots, doubles beside them, and points at distances of all sizes from them."""
+    """Return roots, doubles next to them, and points at distances of all magnitudes from them."""
     count = len(roots)
     side = pick(rng, SIGNS, count)
     ulps = np.rint(side * 10 ** rng.uniform(0, 3, count))
@@ -198,9 +198,9 @@ def _make_far(facts: Facts, rng: Rng) -> Arguments:
 
 
 def _draw_far(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw arguments that turn on and on up to their largest usual size, others near places.
+    """Draw turning arguments up to their largest usual size, and others near places.
 
-    Half of the draws are then moved about a place that recurs, mostly the nearest.
+    Half of the draws are then moved near a recurring place, mostly the nearest.
     """
     columns, width, turning = draw_mixed(facts, rng, count), np.ones(count), _list_recurring(facts)
     targets = list_targets(facts, facts.places)
@@ -216,7 +216,7 @@ def _draw_far(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def _list_recurring(facts: Facts) -> list[sp.Symbol]:
-    """List the arguments of both signs in places that recur, and that have usual sizes."""
+    """Return the arguments of recurring places that have both signs and usual sizes."""
     recurring = [p for p in facts.singular_places if p.split(facts.symbols)[1]]
     return [
         s
@@ -231,9 +231,9 @@ def _make_tiny(facts: Facts, rng: Rng) -> Arguments:
 
 
 def _draw_tiny(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw one or several arguments that may vanish by the logarithm, or none of them at all.
+    """Draw arguments that may vanish by the logarithm of their size, each at half of the points.
 
-    Nothing but the range of doubles bounds an argument that is the only one.
+    An only argument is bounded by nothing but the range of doubles.
     """
     columns = dict(draw_mixed(facts, rng, count))
     largest = HUGEST if len(facts.arguments) == 1 else 1.0
@@ -250,7 +250,7 @@ def _draw_tiny(facts: Facts, rng: Rng, count: int) -> Columns:
 
 
 def _list_vanishing(facts: Facts) -> Iterator[tuple[sp.Symbol, ...]]:
-    """List the arguments that may be as small as one likes."""
+    """Yield the symbols of arguments that may be arbitrarily small."""
     for argument in facts.arguments:
         ends = [facts.region.ends(s) for s in argument.symbols]
         if all(low <= 0 <= high and (low < 0 or np.isfinite(high)) for low, high in ends):

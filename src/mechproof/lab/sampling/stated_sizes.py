@@ -1,6 +1,6 @@
-"""What the derivation states of a quantity, as far as points are made from it.
+"""The facts that the derivation states about a quantity and that points are made from.
 
-Its region is the domain as relations of the arguments, and the doubles inside it.
+The region of a quantity is its domain as relations between arguments, and the doubles in it.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from mechproof.record.relations import find_slack, is_comparison
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import COUNTS
 
-# Points keep away from a computed limit by what so many roundings of the arguments move it: any
-# nearer, no kernel can know which side it is on.
+# Points keep away from a computed limit by the amount that 64 roundings of the arguments move it:
+# any nearer, no kernel can know which side it is on.
 MARGIN = 64 * float(np.finfo(float).eps)
 # Relative distance by which an approximate root on an edge may seem to lie outside.
 ROUGHLY = 1e-9
@@ -38,9 +38,9 @@ class Region:
 
     @cached_property
     def relations(self) -> tuple[sp.Basic, ...]:
-        """Return the relations that decide: ends of intervals, whole numbers, limits.
+        """Return the deciding relations: ends of intervals, whole numbers, limits.
 
-        Those of finite sets are left out: these are given by their values.
+        Finite sets are left out, as they are given by their values.
         """
         own = set(self.symbols)
         sets = (r for s in self.symbols for r in set_relations(s, self.domain.set_of(s)))
@@ -51,7 +51,7 @@ class Region:
     def edges(self) -> tuple[sp.Expr, ...]:
         """Return expressions that are zero at ends of bounded intervals and at limits of relations.
 
-        Zero is no edge of a size that is only positive: it is as far away as infinity.
+        Zero is not an edge for a positive unbounded size: it is as far away as infinity.
         """
         unbounded = {s for s in self.symbols if not self.domain.set_of(s).sup.is_finite}
         slacks = filter(None, map(find_slack, self.relations))
@@ -76,7 +76,7 @@ class Region:
         return self.domain.set_of(symbol) in COUNTS
 
     def list_values(self, symbol: sp.Symbol) -> list[float]:
-        """List the values of a symbol with a finite set; empty for any other."""
+        """Return the values of a symbol with a finite set; empty for any other symbol."""
         return self._values.get(symbol, [])
 
     @cached_property
@@ -89,9 +89,10 @@ class Region:
         return self.is_count(symbol) or bool(self.list_values(symbol))
 
     def mark_inside(self, columns: Columns) -> Array:
-        """Mark the points that lie inside, as doubles and for certain.
+        """Return a mask of the points that certainly lie inside, as doubles.
 
-        An irrational end is its double; from a computed limit they keep the margin of rounding.
+        An irrational end is rounded to a double; points keep the rounding margin from computed
+        limits.
         """
         kept = self.mark_near(columns, MARGIN)
         computed = [r for r in self.relations if not is_comparison(r)]
@@ -101,7 +102,7 @@ class Region:
         return kept
 
     def mark_near(self, columns: Columns, margin: float = -ROUGHLY) -> Array:
-        """Mark the points that are inside by a relative margin; a negative one lets some out."""
+        """Return a mask of points inside by a relative margin; a negative one admits others."""
         kept: Array = np.all([np.isfinite(columns[s]) for s in self.symbols], axis=0)
         for symbol, values in self._values.items():
             kept = kept & np.isin(columns[symbol], values)
@@ -115,7 +116,7 @@ def _is_endless(relation: sp.Basic) -> bool:
 
 
 def _holds(relation: sp.Basic, columns: Columns, margin: float) -> Array:
-    """Mark where a relation holds in doubles, by a margin where it is computed."""
+    """Return a mask of where a relation holds in doubles, with a margin if it is computed."""
     slack = find_slack(relation)
     if slack is None:
         return np.asarray(call(relation.lhs, columns) == call(relation.rhs, columns))
@@ -129,9 +130,9 @@ def _holds(relation: sp.Basic, columns: Columns, margin: float) -> Array:
 
 @lru_cache(maxsize=256)
 def _condition(slack: sp.Expr) -> sp.Expr:
-    """Return by how much relative changes of the arguments change a slack.
+    """Return how much relative changes of the arguments change a slack.
 
-    It is the absolute condition number of Higham (2002, section 1.6), to the first order.
+    This is the absolute condition number of Higham (2002, section 1.6), to first order.
     """
     symbols = sorted(slack.free_symbols, key=str)
     return sp.Add(*(sp.Abs(s * sp.diff(slack, s)) for s in symbols))
@@ -147,7 +148,7 @@ FEWEST = 16
 class Facts:
     """Arguments with their usual sizes, their domain, singular places and published sizes.
 
-    The share `share` of every set is drawn.
+    `share` is the part of every set that is drawn.
     """
 
     arguments: tuple[Argument, ...]
@@ -157,17 +158,17 @@ class Facts:
     share: float = 1.0
 
     def part(self, count: int) -> int:
-        """Return how many of so many points are drawn."""
+        """Return how many of `count` points are drawn: at least one."""
         return max(1, round(count * self.share))
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """List the symbols of all arguments in order."""
+        """Return the symbols of all arguments in order."""
         return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
 
     @cached_property
     def region(self) -> Region:
-        """Return where the arguments may lie."""
+        """Return the region in which the arguments may lie."""
         return Region(self.symbols, self.domain)
 
     @cached_property
@@ -183,7 +184,7 @@ class Facts:
 
     @cached_property
     def printed_anywhere(self) -> Mapping[sp.Symbol, Array]:
-        """Return the published sizes of each symbol, of all rows together."""
+        """Return the published sizes of each symbol, from all rows together."""
         empty: Array = np.empty(0)
         return {
             s: np.concatenate([empty, *(row[s] for row in self.printed if s in row)])
@@ -192,9 +193,10 @@ class Facts:
 
     @cached_property
     def singular_places(self) -> tuple[ZeroSet, ...]:
-        """Return where it is singular, as equations of the arguments.
+        """Return the singular places, as equations of the arguments.
 
-        Raises ValueError for an equation in which no argument occurs, or another symbol.
+        Raises ValueError for an equation that has no argument, or a symbol that is neither an
+        argument nor an integer.
         """
         return tuple(self._place(row) for row in self.singular)
 
@@ -213,14 +215,14 @@ class Facts:
 
     @cached_property
     def places(self) -> tuple[ZeroSet, ...]:
-        """Return singular places, then edges that are none of them."""
+        """Return the singular places, then the edges that are not among them."""
         known = {place.gap for place in self.singular_places}
         others = [e for e in self.edges if e.gap not in known and -e.gap not in known]
         return (*self.singular_places, *others)
 
     @cached_property
     def own_places(self) -> Mapping[sp.Symbol, list[float]]:
-        """Return the numbers at which a place lies whatever the other arguments are."""
+        """Return the numbers at which a symbol is on a place whatever the other arguments are."""
         return {symbol: self._list_own_places(symbol) for symbol in self.symbols}
 
     def _list_own_places(self, symbol: sp.Symbol) -> list[float]:
@@ -229,10 +231,10 @@ class Facts:
         return sorted(float(-gap.subs(symbol, 0) / s) for gap, s in slopes if s in (1, -1))
 
     def mark_in_reach(self, symbol: sp.Symbol, values: Array, *, recurring: bool) -> Array:
-        """Mark sizes that are not far beyond the usual and the published ones.
+        """Return a mask of sizes that are not far beyond the usual and published ones.
 
-        Of roots that recur for ever those beyond the usual sizes are left out; other roots may
-        follow the rest of the arguments toward zero.
+        For places that recur endlessly, roots beyond the usual sizes are left out; other roots may
+        follow the other arguments towards zero.
         """
         known = [size for size in self.printed_anywhere[symbol] if size]
         known += [edge for edge in self.usual.get(symbol, ()) if edge > 0]
@@ -245,12 +247,12 @@ class Facts:
         return inside
 
     def unpack(self, arguments: Arguments) -> Columns:
-        """Return the values of every symbol, an axis of points to each: the inverse of `pack`."""
+        """Return the values of every symbol, one for each point: the inverse of `pack`."""
         columns = [part for a in arguments for part in (a.T if a.ndim > 1 else [a])]
         return dict(zip(self.symbols, columns, strict=True))
 
     def pack(self, columns: Columns) -> Arguments:
-        """Return the arguments, components of vectors on the last axis."""
+        """Return the arguments, with components of vectors on the last axis."""
         grouped = ([columns[s] for s in a.symbols] for a in self.arguments)
         return tuple(g[0] if len(g) == 1 else np.stack(g, axis=-1) for g in grouped)
 

@@ -1,4 +1,4 @@
-"""Cells of usual sizes with points inside, and the arguments of calls that are timed."""
+"""Cells of usual sizes with points inside, and the arguments of timed calls."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SEED = 8
 
 
 def draw_cell(facts: Facts, rng: Rng, cell: Sides) -> Arguments:
-    """Draw points of one cell, half of them about places; arguments without edges as published.
+    """Draw points of one cell, half of them near places; arguments without edges as published.
 
     Raises ValueError if hardly any lie in the domain.
     """
@@ -45,7 +45,7 @@ def draw_cell(facts: Facts, rng: Rng, cell: Sides) -> Arguments:
 
 
 def _keep_sizes(facts: Facts, cell: Sides, columns: Columns) -> Mapping[sp.Symbol, Array]:
-    """Drop the points whose sizes, largest components of vectors, lie in another cell."""
+    """Drop points whose sizes (for vectors, of the largest component) lie outside the cell."""
     kept = np.ones(count_points(columns), bool)
     for argument in facts.arguments:
         if argument.name in cell:
@@ -55,10 +55,10 @@ def _keep_sizes(facts: Facts, cell: Sides, columns: Columns) -> Mapping[sp.Symbo
 
 
 def make_workload(facts: Facts, count: int, varying: Sequence[str]) -> Arguments:
-    """Return `count` values of some arguments, all others shared: published, or usual.
+    """Return `count` values of the `varying` arguments; the others, shared, are published or usual.
 
-    One number rises evenly: from 0 through some periods where its places recur, else over its
-    usual range. Several, and vectors, are drawn evenly from theirs.
+    A single number rises evenly: from 0 through some periods if its places recur, else over its
+    usual range. Several numbers, and vectors, are drawn evenly from their ranges.
     """
     shared = {s: _middle(facts, s) for s in facts.symbols}
     rng = np.random.default_rng(SEED)
@@ -103,7 +103,7 @@ def _middle(facts: Facts, symbol: sp.Symbol) -> float:
 
 
 def _unknown(facts: Facts, symbol: sp.Symbol) -> tuple[float, float]:
-    """Return the part of its set from which a size is drawn if nothing is known of it."""
+    """Return the part of a symbol's set from which an unknown size is drawn."""
     low, high = facts.region.ends(symbol)
     inside = max(low, UNKNOWN[0]), min(high, UNKNOWN[1])
     return inside if inside[0] < inside[1] else (low, high)
@@ -112,7 +112,7 @@ def _unknown(facts: Facts, symbol: sp.Symbol) -> tuple[float, float]:
 def _range(
     facts: Facts, symbol: sp.Symbol, shared: Mapping[sp.Symbol, float]
 ) -> tuple[float, float]:
-    """Return the range of an argument that varies."""
+    """Return the range of a varying argument."""
     period = _period(facts, symbol, shared)
     if period is not None:
         return 0.0, PERIODS * period
@@ -123,7 +123,7 @@ def _range(
 
 
 def _period(facts: Facts, symbol: sp.Symbol, shared: Mapping[sp.Symbol, float]) -> float | None:
-    """Return the distance of neighbouring places that recur; None without any."""
+    """Return the distance between neighbouring recurring places, or None without such places."""
     if facts.region.ends(symbol)[0] >= 0:
         return None
     for place in facts.singular_places:

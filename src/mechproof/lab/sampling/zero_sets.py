@@ -28,20 +28,20 @@ SHORT = 60
 # Distances from a drawn value, in multiples of its size and to both sides, at which a sign change
 # is sought.
 REACH = np.concatenate([[0.0], np.logspace(-3, 1, 17)])
-# The most doubles that a root lies away from where bisection in doubles puts it.
+# The most doubles that a root may be away from where bisection in doubles puts it.
 FARTHEST = 2**44
 
 
 @dataclass(frozen=True)
 class ZeroSet:
-    """Where `gap` is zero; symbols that are no arguments run over the integers."""
+    """The points where `gap` is zero; symbols that are not arguments run over the integers."""
 
     gap: sp.Expr
     text: str
 
     @cached_property
     def symbols(self) -> set[sp.Basic]:
-        """Return the symbols, integers among them."""
+        """Return the symbols, including integers."""
         return set(self.gap.free_symbols)
 
     def split(self, arguments: Iterable[sp.Symbol]) -> tuple[list[sp.Symbol], list[sp.Symbol]]:
@@ -53,10 +53,10 @@ class ZeroSet:
 def find_roots(
     place: ZeroSet, symbol: sp.Symbol, values: Columns, within: tuple[float, float], wanted: Wanted
 ) -> Array:
-    """Return the doubles nearest to roots, one to a point, near the values drawn; NaN without one.
+    """Return the double nearest to a root near each drawn value, NaN if there is none.
 
-    All arguments and integers of the place have `values`; those of `symbol` say where to look.
-    `wanted` marks the approximate roots that are worth to be found.
+    `values` has all arguments and integers of the place; those of `symbol` say where to look.
+    `wanted` marks the approximate roots that are worth polishing.
     """
     guesses = _guess(place, symbol, values, within)
     names = sorted(place.symbols - {symbol}, key=str)
@@ -68,7 +68,7 @@ def find_roots(
 
 
 def find_integers(place: ZeroSet, integer: sp.Symbol, values: Columns) -> Array | None:
-    """Return the whole numbers for which the values drawn lie nearest; None if not linear."""
+    """Return the integers for which the drawn values are nearest to a root; None if not linear."""
     found = solve_linear(place.gap, integer)
     return None if found is None else np.rint(call(found, values))
 
@@ -118,7 +118,7 @@ def _as_function(place: ZeroSet, symbol: sp.Symbol, values: Columns) -> Callable
 
 
 def _bisect(function: Callable[[Array], Array], start: Array, within: tuple[float, float]) -> Array:
-    """Bisect one of the sign changes on a grid about the values drawn, the nearest to them."""
+    """Return a sign change by bisection, the nearest to each drawn value on a grid around it."""
     size = np.maximum(np.abs(start), 1e-3)[:, np.newaxis]
     grid = start[:, np.newaxis] + size * np.concatenate([-REACH[:0:-1], REACH])
     grid = np.clip(grid, *within) if np.isfinite(within).all() else grid
