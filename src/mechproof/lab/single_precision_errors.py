@@ -1,7 +1,7 @@
-"""Single precision: a quantity's kernel as C computes it in floats, and the worst that is found.
+"""Single precision: a quantity's kernel in floats, as C computes it, and its worst errors found.
 
-Each operation is rounded once. Beyond their largest angle the functions of C's own library are
-taken; here these are rounded right.
+Each operation is rounded once. Beyond their largest angle, C uses its library's functions; here
+these are assumed to be correctly rounded.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def _in_doubles(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda y: FORMAT(function(np.asarray(y, float)))
 
 
-# Operations of the machine and of the library, with elementary functions beyond the largest angle.
+# Operations of the machine and of the library; elementary functions for angles too large.
 _MACHINE = IN_DOUBLES.but(
     number=FORMAT,
     constant=lambda operand: FORMAT(float(find_number(operand))),
@@ -118,7 +118,7 @@ class Singles:
         return self.run(arguments)[0]
 
     def run(self, arguments: Points) -> tuple[Column, Column]:
-        """Return the values, and where a value on the way leaves the range of floats."""
+        """Return the values, and where some intermediate value leaves the range of floats."""
         given, count = self._name_values(arguments, FORMAT), len(arguments[0])
         with np.errstate(all="ignore"):
             value, lost = self._run_stage(self._stages[-1], given, count)
@@ -136,7 +136,7 @@ class Singles:
     def mark_inside(
         self, arguments: Points, arithmetic: Arithmetic = IN_SINGLES, kind: type[Any] = FORMAT
     ) -> Column:
-        """Mark the points of the domain, as numbers of some kind decide it."""
+        """Return a mask of points in the domain, as decided by numbers of type `kind`."""
         given, count = self._name_values(arguments, kind), len(arguments[0])
         with np.errstate(all="ignore"):
             held = (
@@ -156,7 +156,7 @@ class Singles:
         )
 
     def _name_values(self, arguments: Points, kind: type[Any]) -> Values:
-        """Give every component its values; the elements of what is summed lie before the points."""
+        """Return the values of every component; elements to be summed are on the first axes."""
         given: Values = {"#pi": kind(np.pi), "#e": kind(np.e), "#nan": kind(np.nan)}
         for argument, array in zip(self._arguments, arguments, strict=True):
             columns = np.moveaxis(np.asarray(array, kind), 0, -1)
@@ -166,7 +166,7 @@ class Singles:
 
 
 def _watch(kind: str, compute: Callable[..., Any], lost: Column, *operands: Any) -> Any:
-    """Compute an operation, and mark where its value leaves the range of floats."""
+    """Compute an operation, and mark in `lost` where its value leaves the range of floats."""
     result = compute(*operands)
     if kind not in ("number", CONSTANT) and np.asarray(result).dtype == FORMAT:
         divisors = operands[1:] if kind == "divide" else ()
@@ -177,16 +177,16 @@ def _watch(kind: str, compute: Callable[..., Any], lost: Column, *operands: Any)
 
 
 def _hold(mark: Callable[[Any], Any], operands: Iterable[Any]) -> Any:
-    """Say where a mark is true of all operands."""
+    """Return where a mark is true for all operands."""
     marks = (np.asarray(mark(operand), bool) for operand in operands)
     return reduce(lambda one, other: one & other, marks, np.asarray(True))
 
 
 def find_worst_singles(subject: Subject, kernel: Kernel) -> SearchedInput:
-    """Search for the worst error in floats, in their eps of the scale of the bound.
+    """Search for the worst error in floats, in eps of floats times the scale of the bound.
 
-    Points are floats. Left out are those at which a value on the way leaves the range of floats,
-    and those so near a computed limit of the domain that floats cannot tell the side.
+    Points are floats. Left out are points at which an intermediate value leaves the range of
+    floats, and points so near a computed limit of the domain that floats cannot tell the side.
     """
     subject = narrow(subject)
     singles, extended = Singles(kernel), extend(subject)
@@ -218,7 +218,7 @@ def find_worst_singles(subject: Subject, kernel: Kernel) -> SearchedInput:
 
 
 def state_errors(paper: Paper, place: Path) -> Mapping[str, str]:
-    """Say of every kernel that C has in float how far off it was found."""
+    """Return, for every kernel that C has in float, a text on its worst error found."""
     subjects = {s.quantity.name: s for s in make_subjects(paper, place, None)}
     kernels = {kernel.name: kernel for kernel in list_scalars(paper)}
     return {name: _state_error(subjects[name], kernel) for name, kernel in kernels.items()}
@@ -236,7 +236,7 @@ def _state_error(subject: Subject, kernel: Kernel) -> str:
 
 
 def narrow(subject: Subject) -> Subject:
-    """Return a quantity whose bound is stated as far as floats reduce angles and tell edges."""
+    """Return a quantity whose bound holds as far as floats reduce angles and resolve edges."""
     accuracy = subject.quantity.accuracy
     if accuracy is None:
         return subject
@@ -249,20 +249,20 @@ def narrow(subject: Subject) -> Subject:
 
 
 def _is_a_few_eps(number: sp.Basic) -> bool:
-    """Say whether a number is a small multiple of the eps of doubles, as distances from edges."""
+    """Return whether a number is a small multiple of the doubles' eps, as edge distances are."""
     return isinstance(number, sp.Rational) and (number / sp.Rational(EPS)) in FEW
 
 
 def round_singly(points: Arguments) -> Arguments:
-    """Round every number to the float next to it."""
+    """Round every number to the nearest float."""
     with np.errstate(over="ignore"):
         return tuple(np.asarray(c, FORMAT).astype(float) for c in points)
 
 
 def mark_judged(subject: Subject, singles: Singles, points: Arguments) -> Array:
-    """Mark the points that are inside, and on whose way no value leaves the range of floats.
+    """Return a mask of points inside at which no intermediate value leaves the range of floats.
 
-    Of sums floats themselves decide what is inside at the limits.
+    For sums, floats themselves decide as well whether a point near the limits is inside.
     """
     judged = singles.mark_inside(points, IN_EXTENDED, np.longdouble) & ~singles.run(points)[1]
     if subject.quantity.has_families:

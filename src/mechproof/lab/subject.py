@@ -1,8 +1,8 @@
 """Subjects: a quantity with its paper, every way of computing it, and where it is measured.
 
-All of it comes from the derivation: quantities with their forms, peers from the module `peers`
-beside them, point sets from singular sets, usual and published sizes. A module `points` may add
-sets that cannot be said by equations.
+All of it comes from the derivation: quantities with their forms, peers from the module `peers` next
+to it, point sets from singular sets, usual and published sizes. A module `points` may add sets that
+equations cannot describe.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ from mechproof.statement_domains.domain import Domain
 
 @dataclass(frozen=True)
 class ByHand:
-    """What a module `points` states of a quantity where no equation can.
+    """The parts of a quantity's measurement that a module `points` states by hand.
 
-    Its point sets, how points of one cell are drawn, and timed calls with so many points.
+    They are its point sets, how points of one cell are drawn, and timed calls with N points.
     """
 
     sets: tuple[PointSet, ...] = ()
@@ -44,7 +44,7 @@ class ByHand:
 
     @classmethod
     def of(cls, module: ModuleType | None, quantity: str) -> ByHand:
-        """Read what the module says of a quantity in POINTS, IN_CELL and WORKLOADS."""
+        """Read the module's POINTS, IN_CELL and WORKLOADS for a quantity."""
         drawn = getattr(module, "POINTS", {}).get(quantity, {})
         return cls(
             tuple(PointSet(name, make) for name, make in drawn.items()),
@@ -63,19 +63,19 @@ class Subject:
     modules: tuple[ModuleType | None, ModuleType | None]
     peers: tuple[Peer, ...] = ()
     by_hand: ByHand = field(default_factory=ByHand)
-    # Compiled kernels are imported only for those who ask for all ways.
+    # Compiled kernels are imported only if all ways are needed.
     load_compiled: Callable[[], ModuleType | None] = lambda: None
     # The folders of the derivation and of its generated modules.
     origin: tuple[Path, Path | None] | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Send where the subject is found: modules and functions cannot be sent."""
+        """Pickle where the subject is found: its modules and functions cannot be pickled."""
         if not self.origin or not any(s is self for s in _subjects_at(*self.origin)):
             raise PicklingError(f"{self!r} was not found by find_subjects")
         return _find_again, (*self.origin, self.quantity.name)
 
     def __repr__(self) -> str:
-        # The name alone: the expressions of a paper would take minutes to write out.
+        # Only the name: the expressions of a paper would take minutes to write out.
         return f"Subject({self.name})"
 
     @property
@@ -85,12 +85,12 @@ class Subject:
 
     @property
     def folder(self) -> Path | None:
-        """Return the folder of the derivation, unless it belongs to the package."""
+        """Return the folder of the derivation, or None if it belongs to the package."""
         return self.origin[0].parent if self.origin and self.origin[1] else None
 
     @cached_property
     def domain(self) -> Domain:
-        """Return where the kernel is defined: ends that the proofs leave out may belong to it."""
+        """Return the kernel's domain, which may include ends that the proofs leave out."""
         whole, part = Domain.of(self.paper), self.quantity.on
         if part is None:
             return whole
@@ -100,24 +100,24 @@ class Subject:
 
     @cached_property
     def exact(self) -> sp.Basic:
-        """Write the definition out, whose value is the truth."""
+        """Return the definition with all given symbols resolved; its value is the truth."""
         return self.domain.resolve(self.quantity.definition)
 
     @cached_property
     def equal_forms(self) -> tuple[sp.Basic, ...]:
-        """Write out the shipped forms, which equal the truth and may spare it a cancellation."""
+        """Return the shipped forms, resolved: they equal the truth and may avoid a cancellation."""
         forms = (f for f in self.quantity.shipped if f.bound is None)
         return tuple(self.domain.resolve(form.expression) for form in forms)
 
     @cached_property
     def ways(self) -> tuple[Way, ...]:
-        """List every way of computing the quantity, the shipped one first."""
+        """Return every way of computing the quantity, the shipped one first."""
         modules = (*self.modules, self.load_compiled())
         rows, sources = self.list_rows(), self._list_sources()
         return list_ways(self.quantity, self.domain, rows, modules, self.peers, sources)
 
     def _list_sources(self) -> Iterator[Way]:
-        """List the kernel in C, called here and on a GPU, as far as there is what it needs."""
+        """Yield the kernel in C, called here and on a GPU, if the machine has what they need."""
         asked = self.quantity.name, self.paper
         if in_c := find_in_c(*asked):
             yield Way(IN_C, in_c, "source", note="called by ctypes, in one thread")
@@ -127,13 +127,13 @@ class Subject:
 
     @property
     def shipped(self) -> tuple[Way, ...]:
-        """List the ways that are called by others: the first, and the compiled kernel."""
+        """Return the ways that users call: the first, and the compiled kernel."""
         first, *others = self.ways
         return (first, *(w for w in others if w.kind == "kernel" and not w.into_buffer))
 
     @property
     def kernel(self) -> Compute:
-        """Return the function that is shipped."""
+        """Return the shipped function."""
         module = self.modules[0]
         own: Compute | None = getattr(module, self.quantity.name, None)
         return own or self.ways[0].compute
@@ -146,22 +146,22 @@ class Subject:
 
     @cached_property
     def period(self) -> float | None:
-        """Return the spacing of wrong branches."""
+        """Return the spacing of wrong branches, or None without branches."""
         return None if self.quantity.period is None else float(self.quantity.period)
 
 
 def find_subjects(
     names: tuple[str, ...] = (), directory: Path | None = None
 ) -> tuple[Subject, ...]:
-    """Find the subjects with these names (system, quantity or system.quantity); all without.
+    """Find the subjects with these names (system, quantity or system.quantity), or all subjects.
 
-    `directory` holds the derivations, by default those of the package; their kernels lie in the
-    folder `generated` beside it. Raises ValueError naming a name that fits none.
+    `directory` holds the derivations, by default those of the package; their kernels are in the
+    folder `generated` next to it. Raises ValueError for a name that fits no subject.
     """
     source = directory or derivation.packaged_directory()
     generated = None if directory is None else directory.resolve().parent / "generated"
     places = derivation.find_systems(source)
-    # A name that begins with a system spares loading the others.
+    # If every name begins with a system, the other systems need not be loaded.
     systems = {name.partition(".")[0] for name in names}
     needed = [p for s, p in places.items() if not names or s in systems or systems - places.keys()]
     subjects = [s for place in needed for s in _subjects_at(place, generated)]
@@ -186,9 +186,9 @@ def _find_again(place: Path, generated: Path | None, name: str) -> Subject:
 def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator[Subject]:
     """Pair the quantities of a paper with their code, in `generated` or in the package.
 
-    Peers or points for no quantity raise ValueError.
+    Raises ValueError for peers or points of a quantity that does not exist.
     """
-    # Stating the rows of all forms takes longer than a run of one kernel, which needs none.
+    # Stating the rows of all forms takes longer than running one kernel, which needs none.
     list_rows = cache(partial(form_rows, paper))
     peers: Mapping[str, tuple[Peer, ...]] = getattr(
         derivation.load_part(place, "peers"), "PEERS", {}
@@ -216,5 +216,5 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
 
 
 def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
-    """Import compiled kernels where numba is installed."""
+    """Import compiled kernels if numba is installed."""
     return derivation.load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None

@@ -1,8 +1,8 @@
 """Time: calls of several ways interleaved in one run, medians, spread, and ratios by round.
 
-Medians with quartiles are what Hoefler and Belli (2015) ask to report of times, which have no
-normal law. Ways are compared round by round: what else the machine does slows all of a round. What
-an error asked for costs is seen of kernels tailored to the sizes of a timed call.
+Hoefler and Belli (2015) ask for medians with quartiles, as times are not normally distributed. Ways
+are compared round by round, as other work of the machine slows all of a round. Kernels tailored to
+the sizes of a timed call show what an asked error costs.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ LONG_ENOUGH = 2.5
 UFUNCS = (np.tan, np.arctan, np.sin, np.cos, np.arctan2, np.sqrt, np.divide, np.multiply)
 # Number of points, few enough that argument and result stay in a core's own cache.
 UFUNC_COUNT, UFUNC_ROUNDS = 16_384, 9
-# Number of points for the first estimate, which decides what is too slow for a size.
+# Number of points for the first estimate, which decides which ways are too slow for a size.
 PROBE = 16
 
 
 @dataclass(frozen=True)
 class Effort:
-    """How much is timed: sizes, rounds of each, and the longest single call that is worth it."""
+    """How much is timed: sizes, rounds for each, and seconds that a single call may take."""
 
     sizes: tuple[int, ...]
     rounds: tuple[int, ...]
@@ -52,7 +52,7 @@ QUICK = Effort((1_000, 100_000), (3, 3), 0.2)
 def time_subject(
     subject: Subject, effort: Effort, tailored: Sequence[Tailoring] = ()
 ) -> list[Timing]:
-    """Time all ways of a quantity on all its workloads; left out is what takes too long.
+    """Time all ways of a quantity on all its workloads, except calls that take too long.
 
     Tailored kernels are timed on the workloads that they were tailored to.
     """
@@ -72,9 +72,10 @@ def time_subject(
 
 
 def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> bool:
-    """Estimate whether one call is short enough.
+    """Return whether one call is estimated to be short enough.
 
-    Time goes with the number of points, but for a solver of a whole sweep with its range.
+    Time is proportional to the number of points, except for a solver of a whole sweep, for which it
+    depends on the range.
     """
     if way.ordered:
         # The last call, on fewer points, may have been a first one.
@@ -93,7 +94,7 @@ def _probe(ways: Sequence[Way], arguments: Arguments) -> dict[str, float]:
 
 
 def _fits(arguments: Arguments, effort: Effort) -> bool:
-    """Say whether the arguments take no more than two arrays of the largest size."""
+    """Return whether the arguments take no more than two arrays of the largest size."""
     return sum(np.asarray(a).nbytes for a in arguments) <= 2 * 8 * effort.sizes[-1]
 
 
@@ -105,7 +106,7 @@ def _time_size(
     size: tuple[int, int],
     pace: dict[str, float],
 ) -> list[Timing]:
-    """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
+    """Time one size (points, rounds); `pace` has the seconds per point at smaller sizes."""
     count, rounds = size
     calls: dict[str, Callable[[], object]] = {
         w.name: _bind(w.compute, arguments, w.place) for w in worth
@@ -118,7 +119,7 @@ def _time_size(
 
 
 def time_ufuncs() -> dict[str, float]:
-    """Return ns per point of the ufuncs that kernels are made of: none is faster than its own."""
+    """Return ns per point of the ufuncs in kernels: no kernel is faster than its ufuncs."""
     values = np.random.default_rng(SEED).uniform(-50, 50, UFUNC_COUNT)
     target = np.empty_like(values)
     calls: dict[str, Callable[[], object]] = {
@@ -131,7 +132,7 @@ def time_ufuncs() -> dict[str, float]:
 def _bind(
     compute: Callable[..., Any], arguments: Arguments, place: Callable[[Any], Any] | None = None
 ) -> Callable[[], object]:
-    """Bind arrays, moved to where a way computes; what does not vary becomes a plain number."""
+    """Bind arrays, moved to where a way computes; other arguments become plain numbers."""
     written: list[Any] = [a if np.ndim(a) else np.asarray(a).item() for a in arguments]
     if place is not None:
         written = [*map(place, written)]
@@ -144,9 +145,9 @@ def _copy_call(shape: tuple[int, ...]) -> Callable[[], object]:
 
 
 def interleave(calls: Mapping[str, Callable[[], object]], rounds: int) -> dict[str, list[float]]:
-    """Return seconds per call of every way in every round, the order drawn anew each round.
+    """Return seconds per call of every way in every round, in a new random order each round.
 
-    A way leaves after LONG_ENOUGH seconds and two rounds.
+    A way is dropped after LONG_ENOUGH seconds and two rounds.
     """
     rng = np.random.default_rng(SEED)
     with np.errstate(all="ignore"):
@@ -171,7 +172,7 @@ def _time_call(call: Callable[[], object], repeats: int) -> float:
 def _summarise(
     way: str, workload: str, count: int, mine: list[float], first: list[float] | None = None
 ) -> Timing:
-    """Summarise the rounds of one way; `first` are those of the first way."""
+    """Summarise the rounds of one way; `first` are the times of the first way."""
     quartiles = np.quantile(mine, [0.25, 0.5, 0.75]) / count * 1e9
     lower, median, upper = (round_off(float(q)) for q in quartiles)
     ratio = None if first is None else round_off(_median_ratio(mine, first))
@@ -179,7 +180,7 @@ def _summarise(
 
 
 def _median_ratio(mine: list[float], reference: list[float]) -> float:
-    """Return the median of the ratios of the rounds that both were timed in."""
+    """Return the median of the ratios in the rounds that both were timed in."""
     return float(np.median([a / b for a, b in zip(mine, reference, strict=False)]))
 
 
@@ -190,9 +191,9 @@ Tailoring = tuple[MeasuredTailoring, Way]
 
 
 def list_tailored(subject: Subject, count: int) -> list[Tailoring]:
-    """Tailor a quantity of the package to its timed calls with so many points.
+    """Tailor a quantity of the package to its timed calls with `count` points.
 
-    Where numba is missing there is nothing to gain, and so it is where no function is computed.
+    Without numba, or if no function is computed, there is nothing to gain and none is returned.
     """
     is_packaged = subject.origin is not None and subject.origin[1] is None
     if not (is_packaged and find_spec("numba") and subject.exact.has(sp.Function)):
@@ -202,7 +203,7 @@ def list_tailored(subject: Subject, count: int) -> list[Tailoring]:
 
 
 def _tailor(subject: Subject, workload: str, call: Arguments) -> Iterator[Tailoring]:
-    """Tailor to numbers where only the first argument varies, and only to what can be reached."""
+    """Yield tailored kernels for attainable errors, if only the first argument varies."""
     first, *others = subject.quantity.arguments
     running, *numbers = (np.asarray(a, float) for a in call)
     if running.ndim != 1 or any(a.ndim for a in numbers):

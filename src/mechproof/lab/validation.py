@@ -1,16 +1,16 @@
 """Validation: the emitted kernels are run in doubles before they are written.
 
-Every function, its support code included, has to give a value that some order of roundings of its
-program can give; a shipped kernel has to compute its definition, whatever its row states of it, and
-to keep its accuracy bound against the oracle as well. The first alone would pass a low word that is
-dropped: it is smaller than what rounding may do. The points lie on both sides of every condition,
-alone and in arrays longer than every block. Compiled kernels are held to the same bound, each of
-their loops, where numba is installed; to the balls of their programs where there is no bound.
+The value of every function, support code included, must be one that some order of roundings of
+its program can give; a shipped kernel must also compute its definition, whatever its row states
+about it, and keep its accuracy bound against the oracle. The first check alone would pass a dropped
+low word, which is smaller than the roundings. The points lie on both sides of every condition,
+single and in arrays longer than every block. If numba is installed, compiled kernels are held to
+the same bound in each of their loops, or without a bound to the balls of their programs.
 
-What the ball of a result does not hold, no order of roundings can have given: the source that was
-run is not the program. It is the running error analysis of Wilkinson (Higham 2002, section 3.3)
-with a ball for the sum of bounds. The arithmetic of IEEE 754 is rounded to nearest; of NumPy's
-functions every loop is taken to stay within `LOOPS` ulps.
+A value outside the ball of a result cannot come from any order of roundings: then the source that
+was run is not the program. This is the running error analysis of Wilkinson (Higham 2002, section
+3.3), with a ball in place of the sum of bounds. IEEE 754 arithmetic is rounded to nearest; every
+loop of NumPy's functions is assumed to stay within `LOOPS` ulps.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run
 
-# Bits of precision, enough that the roundings of balls are nothing beside those of doubles.
+# Bits of precision, so many that roundings of balls are negligible next to those of doubles.
 BITS = 192
-# Half an ulp of a double and of a float32, relative.
+# Half an ulp of a float32, relative.
 SINGLE_UNIT = 2.0**-24
 SMALLEST = 2.0**-1074
 LOOPS = 4
@@ -71,13 +71,13 @@ TELLING = 1e-6
 
 @dataclass(frozen=True)
 class RoundedBalls:
-    """Balls, and whether they are of float32; numbers as they are written are neither."""
+    """Balls, and whether they enclose float32; None for literal numbers, which have no type."""
 
     balls: Any
     is_single: bool | None = False
 
 
-# The constants, as the doubles that a kernel takes for them.
+# The constants, as the doubles that a kernel uses for them.
 CONSTANTS = {
     **{"#pi": RoundedBalls(arb(np.pi)), "#e": RoundedBalls(arb(np.e))},
     **{"#inf": RoundedBalls(arb("inf")), "#nan": RoundedBalls(arb("nan"))},
@@ -85,9 +85,10 @@ CONSTANTS = {
 
 
 def enclose_stage(stage: Stage, inputs: Mapping[str, float | Array]) -> list[arb]:
-    """Return balls that hold whatever doubles the stage computes of its inputs.
+    """Return balls that hold all doubles that the stage can compute from its inputs.
 
-    `inputs` are numbers, or arrays where an axis is summed over. An undecided branch gives both.
+    `inputs` are numbers, or arrays if an axis is summed over. An undecided branch gives both
+    values.
     """
     with working_precision(BITS):
         known = {name: _as_balls(value) for name, value in inputs.items()}
@@ -148,14 +149,14 @@ ROUNDED = Arithmetic(
 
 
 def _spread(ball: arb, relative: float) -> arb:
-    """Return the ball with room for a relative error, and for one below the least double."""
+    """Return the ball widened by a relative error and by the least double."""
     return (
         ball + arb(0, float(abs(ball).upper()) * relative + SMALLEST) if ball.is_finite() else ball
     )
 
 
 def _spread_quotient(quotient: arb, a: arb, b: arb, relative: float) -> arb:
-    """Widen a quotient by a share of the largest t/(a + b*t**2), as the support states it."""
+    """Widen a quotient by a share of the largest t/(a + b*t**2), as the support code states it."""
     largest = float((1 / (2 * (a * b).sqrt())).upper()) * float(
         (1 + (b / a).max(a / b).sqrt()).upper()
     )
@@ -163,7 +164,7 @@ def _spread_quotient(quotient: arb, a: arb, b: arb, relative: float) -> arb:
 
 
 def _take_turns_off(x: arb) -> arb:
-    """Return x less the turns that the double next to it loses, with the rounding of both."""
+    """Return x minus the turns that the nearest double loses, with the roundings of both."""
     if not x.is_finite():
         return x
     turns = round(float(x.mid()) / (2 * np.pi))
@@ -224,7 +225,7 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
 
 
 def check_meaning(subject: Subject) -> None:
-    """Compare the shipped programs with the definition, which a row may state in other words.
+    """Compare the shipped programs with the definition, which a row may state differently.
 
     Raises `TranslationError` with the function, the point, and both values.
     """
@@ -249,7 +250,7 @@ def check_meaning(subject: Subject) -> None:
 
 
 def _check_compiled(subject: Subject) -> None:
-    """Compare a compiled kernel that is held to no bound with the balls of its program."""
+    """Compare a compiled kernel that has no bound with the balls of its program."""
     quantity = subject.quantity
     compiled = getattr(subject.load_compiled(), quantity.name, None)
     if compiled is None or quantity.accuracy:
@@ -270,7 +271,7 @@ def _require_inside(name: str, point: Arguments, value: float, ball: arb) -> Non
 
 
 def _compute_every_way(compute: Compute, point: Arguments) -> Iterator[float | np.ndarray]:
-    """Compute a point alone, and in an array longer than a block."""
+    """Yield a point's value computed on its own, and in an array longer than a block."""
     with np.errstate(all="ignore"):
         yield compute(*point)
         first, *others = point
@@ -284,7 +285,7 @@ def _choose_stage(code: KernelCode, point: Arguments) -> Stage:
 
 
 def _name(code: KernelCode, point: Arguments) -> Mapping[str, float | np.ndarray]:
-    """Name the values of a point as the programs do, vectors by their components."""
+    """Return the values of a point by the programs' names, vectors by their components."""
     parts = dict(code.vectors)
     named: dict[str, float | np.ndarray] = {}
     for name, value in zip(code.arguments, point, strict=True):
@@ -293,7 +294,7 @@ def _name(code: KernelCode, point: Arguments) -> Mapping[str, float | np.ndarray
 
 
 def _check_accuracy(subject: Subject) -> None:
-    """Hold the shipped kernel to its bound on a few points of every set, and the compiled one."""
+    """Hold the shipped and the compiled kernel to their bound on a few points of every set."""
     for point_set in list_sets(subject, SHARE):
         if point_set.ordered:
             continue
@@ -308,7 +309,7 @@ def _check_accuracy(subject: Subject) -> None:
 
 
 def _compute_compiled(compute: Compute, arguments: Arguments) -> Iterator[np.ndarray]:
-    """Compute points by every loop of a compiled kernel: together, alone, and in rows of equals."""
+    """Yield the points' values by every compiled loop: together, one by one, in rows of equals."""
     points = list(zip(*arguments, strict=True))
     yield compute(*arguments)
     yield np.array([compute(*point) for point in points])

@@ -1,4 +1,4 @@
-"""Ways: every way of computing a quantity, as a function, with the rows that decide on it."""
+"""Ways: every way of computing a quantity, as a function, with the rows that judge it."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed, Implicit)
 class Way:
     """One way of computing a quantity: the kernel, a form or a peer.
 
-    `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
-    `key` ends the name of its function, empty for the kernel and for peers; `needs` is the extra
-    that it is installed with. `into_buffer`: the same again, into an array that is there. `place`
-    puts an argument where the way computes, before it is timed.
+    `rows` of the ledger say what its source computes; a peer has none, as nothing is proved of it.
+    `key` ends the name of its function, "" for the kernel and for peers; `needs` is the extra that
+    it is installed with. `into_buffer` marks a variant that writes into an existing array. `place`
+    moves an argument to where the way computes, before it is timed.
     """
 
     name: str
@@ -62,7 +62,7 @@ def list_ways(
     peers: tuple[Peer, ...],
     sources: Iterable[Way] = (),
 ) -> tuple[Way, ...]:
-    """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
+    """Return the kernel, its rival forms, peers, and code by SymPy; the shipped way comes first.
 
     `modules` are those of the kernels, of their rival forms and of the compiled kernels; `sources`
     are the kernel in other languages.
@@ -82,7 +82,7 @@ def list_ways(
 def _list_kernel(
     quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
 ) -> Iterator[Way]:
-    """List the kernel, the same into a given array, and the same in float32."""
+    """Yield the kernel, its variant with an output array, and its variant in float32."""
     if not quantity.forms or module is None:
         return
     kernel: Compute = getattr(module, quantity.name)
@@ -93,7 +93,7 @@ def _list_kernel(
 def _list_compiled(
     quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
 ) -> Iterator[Way]:
-    """List the compiled kernel, whose source is read back as that of the kernel is."""
+    """Yield the compiled kernel, whose source is read back like that of the kernel."""
     kernel: Compute | None = getattr(module, quantity.name, None)
     if kernel is not None:
         way = _describe_kernel("kernel, compiled", kernel, quantity, rows)
@@ -134,18 +134,18 @@ def _from_peer(peer: Peer) -> Way:
 
 
 def _rows_of(name: str, rows: tuple[Row, ...]) -> tuple[Row, ...]:
-    """Return the rows of the ledger that speak of a function."""
+    """Return the rows of the ledger about a function."""
     wanted = f"{KERNEL}{name}"
     return tuple(r for r in rows if r.number == wanted or r.number.startswith(f"{wanted}, "))
 
 
 def _into_buffer(kernel: Compute) -> Compute:
-    """Call a kernel with the output array of the call before, as a loop would."""
+    """Return a kernel that reuses the output array of its last call, as a loop would."""
     kept: dict[tuple[tuple[int, ...], ...], Array] = {}
 
     def compute(*arguments: Array) -> Any:
-        # `getattr`, because asking NumPy for the shape of a number is too slow beside a call on few
-        # points.
+        # `getattr`, because asking NumPy for the shape of a number is too slow compared with a
+        # call on few points.
         key = tuple([getattr(a, "shape", ()) for a in arguments])
         if key not in kept:
             kept.clear()
@@ -160,9 +160,9 @@ def _in_single(kernel: Compute) -> Compute:
 
 
 def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Way]:
-    """List `sympy.lambdify` of the definition, with common subexpressions and without.
+    """Yield `sympy.lambdify` of the definition, with and without common subexpressions.
 
-    Sums, integrals and roots have none: SymPy has no array code for them.
+    There is none for sums, integrals and roots: SymPy has no array code for them.
     """
     definition = domain.resolve(quantity.definition)
     if definition.has(*BEYOND_LAMBDIFY):
@@ -184,7 +184,7 @@ def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:
 
 
 def list_columns(quantity: Quantity, arguments: Arguments) -> list[Array]:
-    """Return the values of each symbol: those of a vector by its last axis."""
+    """Return the values of each symbol: for a vector, its components from the last axis."""
     counts = [len(argument.symbols) for argument in quantity.arguments]
     parts = zip(counts, map(np.asarray, arguments), strict=True)
     return [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]

@@ -1,8 +1,8 @@
-"""The search: from the worst of all point sets uphill to worse inputs, where a bound is stated.
+"""The search: from the worst points of all sets uphill to worse inputs, where a bound is stated.
 
-Balls tell which are worse, of hundreds of points; then long doubles of millions, and balls judge
-what these have found. It belongs in the regression table. S3FP (Chiang et al. 2014) narrows
-ranges of inputs at random instead of moving points.
+Balls evaluate hundreds of points; then long doubles evaluate millions, and balls judge the finds.
+Bad inputs belong in the regression table. S3FP (Chiang et al. 2014) narrows ranges of inputs at
+random instead of moving points.
 """
 
 from __future__ import annotations
@@ -38,17 +38,17 @@ from mechproof.roundoff.climb import BY_BALLS, JUDGED, Schedule, climb, climb_an
 from mechproof.statement_domains.domain import Domain
 
 BY_LONG_DOUBLES = Schedule(3000, 6)
-# Rounds by long doubles for each one by balls; and the rounds after which a population has gathered
-# in one place, and a new climb begins.
+# Rounds by long doubles for each one by balls; and the number of rounds after which a population
+# has gathered in one place, so that a new climb begins.
 ROUNDS, CLIMB = 20, 100
 
 
 def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
-    """Mark the points where all relations of the bound hold; undecided ones are not among them.
+    """Return a mask of points where all relations of the bound certainly hold.
 
-    What is computed, a difference near zero, is decided by balls: the rounding of doubles would
-    decide it at the very points that the relation is to keep out. A relation on elements holds
-    where it holds for all of them.
+    Computed relations, such as a difference near zero, are decided by balls: the rounding of
+    doubles would decide them at the very points that the relation is meant to exclude. A relation
+    between elements must hold for all of them.
     """
     accuracy = subject.quantity.accuracy
     relations = accuracy.within if accuracy else ()
@@ -87,7 +87,7 @@ def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Arra
 
 
 def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None:
-    """Return what the error stays below on a cell of sizes.
+    """Return an upper limit of an approximation's error on a cell of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.
     """
@@ -102,7 +102,7 @@ def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None
 
 
 def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:
-    """Give every symbol the largest size its argument has in the cell."""
+    """Return the largest size in the cell for every symbol of its arguments."""
     return {
         symbol: cell[argument.name][1]
         for argument in subject.quantity.arguments
@@ -112,7 +112,7 @@ def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:
 
 
 def _rises(bound: sp.Expr, subject: Subject, sizes: dict[sp.Symbol, sp.Symbol]) -> bool:
-    """Decide that the bound depends on sizes alone and falls with none of them."""
+    """Return whether the bound provably depends on sizes alone and falls with none of them."""
     sets = {s: subject.domain.set_of(s) for s in sizes}
     signed = [s for s in sizes if sets[s].inf < 0]
     if any(sp.simplify(bound - bound.subs(s, -s)) != 0 for s in signed):
@@ -124,7 +124,7 @@ def _rises(bound: sp.Expr, subject: Subject, sizes: dict[sp.Symbol, sp.Symbol]) 
 
 @lru_cache(maxsize=256)
 def _rises_in_sizes(bound: sp.Expr, within: tuple[tuple[sp.Symbol, sp.Set], ...]) -> bool:
-    """Decide that an expression of positive sizes is nonnegative and falls with none of them."""
+    """Return whether an expression in positive sizes is provably nonnegative and never falls."""
     if bound.is_Number or bound.is_Symbol:
         return bool(bound.is_nonnegative)
     if isinstance(bound, sp.Add | sp.Mul):
@@ -154,9 +154,10 @@ def find_worst(
     share: float = 1.0,
     most: int | None = None,
 ) -> SearchedInput:
-    """Climb for some rounds from a share of each set, by balls from at most `most` points of it.
+    """Climb for `rounds` rounds from a share of each set, by balls from at most `most` points.
 
-    The domain is not left. Without long doubles, or code of the quantity, balls do all of it.
+    The climb stays in the domain. Without long doubles, or without code of the quantity, balls do
+    all of it.
     """
     rng = np.random.default_rng(seed)
     sets = [*draw_sets(subject, seed, share)]
@@ -178,12 +179,12 @@ def find_worst(
 
 
 def _divide(rounds: int) -> Iterator[int]:
-    """Divide rounds into climbs; without rounds there is one climb that only looks around."""
+    """Divide rounds into climbs; for zero rounds there is one climb that only looks around."""
     return (min(CLIMB, rounds - done) for done in range(0, max(rounds, 1), CLIMB))
 
 
 def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> Array:
-    """Return the errors in units of the accuracy bound; -1 where undecided or out of it."""
+    """Return the errors in units of the accuracy bound; -1 if undecided or outside its domain."""
     truth = find_truth(subject, arguments)
     return np.where(
         mark_accuracy_domain(subject, arguments), compare(compute, arguments, truth), -1.0
@@ -191,14 +192,14 @@ def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> A
 
 
 def compare(compute: Compute, arguments: Arguments, truth: Truth) -> Array:
-    """Return the errors against a truth, in units of the accuracy bound; -1 where undecided."""
+    """Return the errors against a truth, in units of the accuracy bound; -1 if undecided."""
     with np.errstate(all="ignore"):
         errors = find_errors(compute(*arguments), truth).scaled
     return np.where(truth.decided, np.nan_to_num(errors, nan=-1.0, posinf=np.inf), -1.0)
 
 
 def draw_sets(subject: Subject, seed: int, share: float) -> Iterator[Arguments]:
-    """Draw the points of every set that has no order, all arguments with an axis of points."""
+    """Draw the points of every unordered set, all arguments with an axis of points."""
     for point_set in list_sets(subject, share):
         if not point_set.ordered:
             yield _with_leading_axis(draw_points(point_set, seed))
@@ -213,7 +214,7 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
 
 
 def _mark_inside(subject: Subject, points: Arguments) -> Array:
-    """Mark the points of the domain; for sums only the kernel knows it, by NaN elsewhere."""
+    """Return a mask of points in the domain; for sums, of those where the kernel is not NaN."""
     if subject.quantity.has_families:
         known: Array = ~np.isnan(subject.kernel(*points))
         return known

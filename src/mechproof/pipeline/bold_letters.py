@@ -1,4 +1,4 @@
-r"""Vectors and matrices of a single equation, by their letters: \mathbf{a}, \vec{F}, \mathbf{A}."""
+r"""Vectors and matrices in a single equation, by their letters: \mathbf{a}, \vec{F}, \mathbf{A}."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ _BOLD = re.compile(
     r"(?:\s*\{\s*(?P<inside>\\?[A-Za-z]+)\s*\}|\s*(?P<command>\\[A-Za-z]+)|\s+(?P<letter>[A-Za-z]))"
     r"(?P<index>_(?:\w|\{[^{}]*\}))?"
 )
-# An index behind the dots of a letter belongs to the letter.
+# An index after the dots of a letter belongs to the letter.
 _BEHIND_DOTS = re.compile(r"(\\d{1,3}ot\s*\{[^{}]*(?:\{[^{}]*\})?)\s*\}(_(?:\w|\{[^{}]*\}))")
-# Typefaces in which a capital may be a matrix, and letters side by side are a product; an arrow, by
-# contrast, may stand above two points.
+# Typefaces in which a capital may be a matrix, and adjacent letters are a product; an arrow, by
+# contrast, may be above two points.
 _TYPE = r"\\(?:mathbf|boldsymbol|bm|pmb)\s*"
 _PRODUCT = re.compile(rf"{_TYPE}\{{\s*[A-Za-z]{{2,}}\s*\}}")
 _CAPITAL = re.compile(rf"{_TYPE}\{{?\s*(?:[A-Z]|\\[A-Z])")
@@ -30,9 +30,9 @@ _UNITY = re.compile(rf"(?:{_TYPE}|\\vect?\s*)\{{?\s*[eijknIE]\s*\}}?(?:_.*)?")
 
 
 def find_bold(prints: Iterable[str], named: Iterable[str]) -> tuple[str, ...]:
-    """Return the letters of prints that are bold or have an arrow, but for those named as numbers.
+    """Return the letters of prints that are bold or have an arrow, except those named as numbers.
 
-    Each has its index.
+    Each comes with its index.
     """
     texts = (_BEHIND_DOTS.sub(r"\1\2}", text) for text in prints)
     found = [one[0] for text in texts for one in _BOLD.finditer(text)]
@@ -42,7 +42,7 @@ def find_bold(prints: Iterable[str], named: Iterable[str]) -> tuple[str, ...]:
 
 
 def is_capital(latex: str) -> bool:
-    """Tell whether a print has a bold capital, which is a matrix as often as a vector."""
+    """Return whether a print has a bold capital, which is a matrix as often as a vector."""
     return bool(_CAPITAL.search(latex))
 
 
@@ -58,7 +58,7 @@ def show_entries(variable: Variable) -> Iterator[Variable]:
 
 
 def move_entries(moving: Moving) -> Moving:
-    """Return which letters depend on which, with entries in place of vectors and matrices."""
+    """Return the dependences of letters, with entries in place of vectors and matrices."""
     entries = {
         entry: (by, own)
         for letter, (by, rates) in moving.items()
@@ -80,7 +80,7 @@ def _list_places(symbol: sp.MatrixSymbol) -> list[str]:
 
 
 def refuse_unclear(letters: Iterable[str], bold: Iterable[str]) -> None:
-    r"""Raise `ValueError` for \mathbf{AB}, unit vectors, and F, F_x, or x and y beside \vec{F}."""
+    r"""Raise `ValueError` for \mathbf{AB}, unit vectors, and F, F_x, or x and y next to \vec{F}."""
     letters, bold = tuple(letters), tuple(bold)
     for latex in (*letters, *bold):
         if _PRODUCT.match(latex):
@@ -106,14 +106,14 @@ def refuse_unclear(letters: Iterable[str], bold: Iterable[str]) -> None:
 
 
 def _bare(name: str) -> str:
-    """Return a name without what is printed for its group."""
+    """Return a name without braces and blanks."""
     return name.replace("{", "").replace("}", "").replace(" ", "")
 
 
 def compare_bold(row: Row, variables: Sequence[Variable]) -> Row:
-    """Treat a bold letter that stands alone on one side only as introduced there.
+    """Treat a bold letter alone on one side, and not on the other, as introduced there.
 
-    Raises `ValueError` for sides of unlike sizes.
+    Raises `ValueError` for sides of different sizes.
     """
     says = row.says
     given: dict[sp.Basic, Any] = {

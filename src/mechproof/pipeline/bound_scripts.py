@@ -1,7 +1,7 @@
-"""Bound scripts: in, programs with proved bounds; out, the bounds that Coq proves once more.
+"""Bound scripts: from programs with proved bounds to the bounds that Coq proves again.
 
-Coq's analysis has intervals without monomials or grids, so that its bounds may be larger: of some
-multiples of ours the least that it proves is kept.
+Coq's analysis has intervals without monomials or grids, so its bounds may be larger: of several
+multiples of ours, the smallest that it proves is kept.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ DIGITS = 4
 class CoqBound:
     """The bound that Coq proves and its file, or the reason why there is none.
 
-    Of a function that is enclosed, too, `off` is how far the program without roundings is from it.
+    For a function that is also enclosed, `off` is the distance of the program without roundings
+    from it.
     """
 
     name: str
@@ -47,7 +48,7 @@ class CoqBound:
     off: Fraction | None = None
 
 
-# Writes, for a multiple of a bound, what is then stated, and the script.
+# For a multiple of a bound, returns the bound that is then stated, and the script.
 Write = Callable[[float], tuple[Fraction, str]]
 
 
@@ -58,10 +59,10 @@ def prove_in_coq(
     folder: Path,
     tell: Callable[[str], None] = lambda text: None,
 ) -> tuple[CoqBound, ...]:
-    """Write the scripts that Coq accepts into a folder, and say what they prove, in their order.
+    """Write the scripts that Coq accepts into a folder, and return what they prove, in order.
 
-    Raises `CheckerError` where Coq is not installed, `ForeignFileError` for a folder with other
-    files, and `OSError`.
+    Raises `CheckerError` if Coq is not installed, `ForeignFileError` for a folder with other files,
+    and `OSError`.
     """
     writers = {
         _name_file(number, bounding.name): partial(_write, bounding, convention, least)
@@ -73,7 +74,7 @@ def prove_in_coq(
 def prove_functions_in_coq(
     folder: Path, tell: Callable[[str], None] = lambda text: None
 ) -> tuple[CoqBound, ...]:
-    """Have Coq prove bounds of the elementary functions of compiled kernels, as shares of values.
+    """Have Coq prove relative bounds of the elementary functions of compiled kernels.
 
     Raises as `prove_in_coq` does.
     """
@@ -92,7 +93,7 @@ def _prove_least(
     folder: Path,
     tell: Callable[[str], None],
 ) -> tuple[CoqBound, ...]:
-    """Have Coq try one multiple after another for what is not proved yet, each in its file."""
+    """Have Coq try one multiple after another for the files whose bounds are not yet proved."""
     named = dict(zip(writers, names, strict=True))
     found: dict[str, CoqBound] = {}
     accepted: dict[str, str] = {}
@@ -139,5 +140,5 @@ def _name_file(number: int, name: str) -> str:
 
 
 def round_digits(number: float, rounding: str) -> Decimal:
-    """Round a bound to the digits it is told with; `rounding` is one of the modes of `decimal`."""
+    """Round a bound to `DIGITS` digits; `rounding` is one of the modes of `decimal`."""
     return Context(prec=DIGITS, rounding=rounding).create_decimal(Decimal(number))
