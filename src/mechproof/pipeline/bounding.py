@@ -1,4 +1,4 @@
-"""Bounding: in, an FPCore file or a pasted expression; out, proved bounds on rounding errors.
+"""Bounding: from an FPCore file or a pasted expression to proved bounds on rounding errors.
 
 `roundoff` proves the bound over the box, and its climb finds the worst input.
 """
@@ -188,7 +188,7 @@ def bound_all(
 def bound_one(
     bounding: Bounding, convention: Convention, tolerance: float, parts: int
 ) -> ProvedBound:
-    """Prove a bound and look for the worst input.
+    """Prove a bound and search for the worst input.
 
     Raises ArithmeticError if an error exceeds the proved bound: then an assumption does not hold
     here, or the proof is wrong.

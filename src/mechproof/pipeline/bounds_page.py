@@ -1,8 +1,8 @@
-"""Comparing: in, programs and what is cited of them; out, a page of bounds side by side.
+"""Comparing: from programs and the bounds cited for them to a page of bounds side by side.
 
-Gappa and FPTaylor are run where they are installed, with the same steps and conventions. Functions
-are taken as rounded to nearest, as FPTaylor takes them; as those of NumPy are not, no worst input
-is looked for there.
+Gappa and FPTaylor are run if they are installed, with the same steps and conventions. Functions are
+assumed to be rounded to nearest, as FPTaylor assumes; as those of NumPy are not, no worst input is
+sought for programs with functions.
 """
 
 from __future__ import annotations
@@ -67,14 +67,14 @@ class Compared:
 
     @property
     def others(self) -> list[float]:
-        """List the bounds of the programs that were run."""
+        """Return the bounds of the other programs that were run."""
         return [bound for bound in (self.gappa, self.fptaylor) if bound is not None]
 
 
 def compare(
     boundings: Sequence[Bounding], cited: Path, report: Callable[[str], None] = lambda text: None
 ) -> str:
-    """Return the page; ValueError for a program that is not bounded or takes too long."""
+    """Return the page; raises ValueError for a program that is not bounded or takes too long."""
     known = json.loads(cited.read_text("utf-8")) if cited.is_file() else {}
     parts = [_TITLE]
     for inputs, head in HEADS.items():
@@ -102,7 +102,7 @@ def _put_coq(
     convention: Convention,
     report: Callable[[str], None],
 ) -> list[Compared]:
-    """Return the rows with what Coq proves, where it is installed."""
+    """Return the rows with the bounds that Coq proves, if it is installed."""
     if not checker.is_installed():
         return rows
     with TemporaryDirectory() as folder:

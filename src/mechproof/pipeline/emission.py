@@ -1,6 +1,6 @@
-"""Emission: in, the places of derivations; out, the files of a language, in two stages.
+"""Emission: from the places of derivations to the files of a language, in two stages.
 
-1. Judge: what is shipped of each paper has to be PROVED, and to compute what its rows say.
+1. Judge: what is shipped of each paper must be PROVED, and compute what its rows say.
 2. Render: every kernel becomes a function of the language, which is read back.
 """
 
@@ -20,7 +20,7 @@ from mechproof.record import Paper
 
 @dataclass(frozen=True)
 class Emitted:
-    """The text of each file of a system by its name, and what of it is left out and why."""
+    """The text of each file of a system by its name, and the reasons for what is left out."""
 
     files: Mapping[str, str]
     left_out: Sequence[str] = ()
@@ -33,9 +33,9 @@ def emit_c(
     derivatives: bool = False,
     progress: Progress = tell_nobody,
 ) -> Iterator[Emitted]:
-    """Write the kernels of each paper in C, or their derivatives; at the end a Makefile.
+    """Write the kernels of each paper in C, or their derivatives, and finally a Makefile.
 
-    A paper that has no kernels for C has no files, and it is said why. Raises `PipelineError`.
+    A paper without kernels for C has no files, but a reason. Raises `PipelineError`.
     """
     for place, paper in _judge(locations, progress):
         try:
@@ -52,13 +52,13 @@ def emit_c(
 def emit_scripts(
     language: str, locations: Sequence[Path], *, progress: Progress = tell_nobody
 ) -> Iterator[Emitted]:
-    """Write the kernels of each paper in a language of scripts. Raises `PipelineError`."""
+    """Write the kernels of each paper in a scripting language. Raises `PipelineError`."""
     for _, paper in _judge(locations, progress):
         yield Emitted(*render_scripts(paper, language))
 
 
 def _judge(locations: Sequence[Path], progress: Progress) -> Iterator[tuple[Path, Paper]]:
-    """Prove the kernels, unless they have not changed since."""
+    """Yield each place with its paper, once its kernels are proved, now or in an earlier run."""
     ledgers = judge_papers(locations, only_kernels=True, progress=progress)
     judged = [(place, one.paper) for place, one in zip(locations, ledgers, strict=True)]
     refuse_failures(
@@ -70,7 +70,7 @@ def _judge(locations: Sequence[Path], progress: Progress) -> Iterator[tuple[Path
 def _find_errors(
     paper: Paper, place: Path, progress: Progress, float32: bool
 ) -> Mapping[str, str] | None:
-    """Search for what kernels in float are off by."""
+    """Return the largest errors found for kernels in float, or None without float32."""
     if not float32:
         return None
     with progress(f"{paper.system}: searching for the largest errors in float"):

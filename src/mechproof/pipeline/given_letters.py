@@ -24,7 +24,7 @@ _ACCENTS = re.compile(r"\\d{1,3}ot(?![A-Za-z])|'+")
 
 
 def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    r"""Yield the letters that have values with these, x=r\cos t."""
+    r"""Yield letters with the values given for them, x=r\cos t."""
     for text in said:
         for relation in read_relations(text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
@@ -33,14 +33,14 @@ def read_values(said: Iterable[str], reader: Reader) -> Iterator[tuple[sp.Basic,
 
 
 def find_decimals(said: Iterable[str], variables: Sequence[Variable]) -> dict[sp.Basic, str]:
-    """Return the digits of letters with decimals as values: these are rounded, as printed ones."""
+    """Return the digits of letters with decimal values, which count as rounded, as if printed."""
     values = ((name.strip(), value.strip()) for name, _, value in (x.partition("=") for x in said))
     digits = {name: value for name, value in values if _DECIMAL.fullmatch(value)}
     return {v.symbol: digits[name] for v in variables for name in v.latex if name in digits}
 
 
 def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
-    """Refuse a value with a unit whose letters the equation does not have."""
+    """Refuse a value with a unit, unless its letters occur in the equation."""
     for text in said:
         found = _WITH_UNIT.fullmatch(text.partition("=")[2].strip())
         if found and is_unit(found[1]) and not {*found[1]} & {*letters}:
@@ -51,10 +51,10 @@ def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
 
 
 def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.Expr]:
-    r"""Return the letter that an equation gives by others, A+B+C=\pi, with its value.
+    r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
-    It stands alone on a side, or it or its reciprocal has a number as its factor; of several the
-    last is taken, first among those that depend on others as letters of its value do.
+    The letter is alone on a side, or it or its reciprocal has a number as its factor. Of several,
+    the last is taken, but preferably one that depends on others, as the letters of its value do.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -108,10 +108,10 @@ def find_given_moving(
     differentials: Collection[str],
     given: Collection[str],
 ) -> Moving:
-    """Return the letters that depend on others; for letters with a value, the value says on which.
+    """Return the letters that depend on others; if a letter has a value, the value says on which.
 
-    The derivative of a letter with a value, beside derivatives of others, is worked out as a
-    printed one is.
+    The derivative of a letter with a value, next to derivatives of other letters, is worked out as
+    a printed derivative is.
     """
     prints = [v.latex[0] for v in variables]
     derived = {name_symbol(_ACCENTS.sub("", x)) for x in prints if _ACCENTS.search(x)}
@@ -134,7 +134,7 @@ def find_given_moving(
 def find_parameters(
     variables: Sequence[Variable], differentials: Collection[str]
 ) -> dict[sp.Basic, sp.Symbol]:
-    """Return the letter that runs in the value of one that differentiates something, dy/dx."""
+    """Return the running letter in the value of each letter in a denominator, x of dy/dx."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     moved = {v.symbol for v in variables if v.latex and v.latex[0] in RUNNING}
     found: dict[sp.Basic, sp.Symbol] = {}
@@ -149,7 +149,7 @@ def find_parameters(
 def find_all_rates(
     variables: Sequence[Variable], moving: Moving, called: Mapping[sp.Basic, sp.Symbol]
 ) -> dict[sp.Basic, sp.Expr]:
-    """Return derivatives of letters that have values, also by letters that move in these."""
+    """Return derivatives of letters that have values, also by letters that vary in these."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     free = {x: steps for x, steps in moving.letters.items() if x not in values}
     moved = {one for x, (_, own) in free.items() for one in (x, *own)}

@@ -1,4 +1,4 @@
-"""Judging as the first stage of what is made of papers: their ledgers, or a `PipelineError`."""
+"""Judging as the first stage of work on papers: their ledgers, or a `PipelineError`."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import JudgedPaper, Ledger
 from mechproof.pipeline import verification
 
-# Called with the title of a stage; returns the stage's context, which yields a function to tell its
-# progress.
+# Called with the title of a stage; returns the stage's context manager, which yields a function
+# that reports progress.
 Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
 
 
 class PipelineError(RuntimeError):
-    """A stage found a fault; the text names what and where."""
+    """A stage found a fault; the message says what and where."""
 
 
 @contextmanager
 def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
-    """Run a stage without a word."""
+    """Run a stage without reporting."""
     yield lambda text: None
 
 
 @contextmanager
 def name_faults(*errors: type[Exception], where: str = "") -> Iterator[None]:
-    """Make these errors a `PipelineError`."""
+    """Turn these errors into a `PipelineError`."""
     try:
         yield
     except errors as error:
@@ -42,7 +42,7 @@ def judge_papers(
     only_kernels: bool = False,
     progress: Progress = tell_nobody,
 ) -> list[JudgedPaper]:
-    """Judge the papers, or `only_kernels`, on which what is shipped rests."""
+    """Judge the papers, or with `only_kernels` just the rows on which shipped code rests."""
     title = name_judging(locations, "the kernels of " if only_kernels else "")
     with name_faults(DerivationError, verification.VerificationError), progress(title) as report:
         return verification.judge_derivations(
@@ -57,18 +57,18 @@ def read_ledgers(
     limit: float = verification.LIMIT,
     progress: Progress = tell_nobody,
 ) -> list[Ledger]:
-    """Judge the papers that have changed, and take the ledgers of the others as they are kept."""
+    """Judge the papers that have changed, and read the cached ledgers of the others."""
     title = name_judging(locations)
     with name_faults(DerivationError, verification.VerificationError), progress(title) as report:
         return verification.find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
 
 
 def name_judging(locations: Sequence[Path], what: str = "") -> str:
-    """Say what is judged."""
+    """Return the title of the stage that judges these derivations."""
     return f"judging {what}{', '.join(location.stem for location in locations)}"
 
 
 def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
-    """Name rows that could not be judged, kernels not proved, and what else failed."""
+    """Raise `PipelineError` for rows not judged, kernels not proved, and other failures."""
     if failures := [*verification.list_failures(ledgers), *others]:
         raise PipelineError("\n".join(failures))

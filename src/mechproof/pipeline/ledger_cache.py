@@ -1,8 +1,8 @@
-"""Ledgers that are kept whole: a paper whose files have not changed is not even loaded.
+"""Ledgers that are cached whole: a paper whose files have not changed is not even loaded.
 
-A ledger is made anew when a file that the derivation opened, a module that it may have met loaded,
-a file of the package, or the version of anything installed differs. What a derivation takes from
-elsewhere, as the clock or the environment, is not noticed.
+A ledger is made anew when a file that the derivation opened, a module that it may have loaded, a
+file of the package, or the version of any installed package differs. Other inputs of a derivation,
+such as the clock or the environment, are not noticed.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from mechproof.tools.cache import Store, are_unchanged, digest_program, name_pla
 
 
 class LedgerCache:
-    """The last ledger of one derivation, with the digests of what it was made from.
+    """The last ledger of one derivation, with the digests of its sources.
 
-    It is to be made before the derivation is loaded: the program counts as it is then.
+    It must be created before the derivation is loaded, as it notes the state of the program then.
     """
 
     def __init__(self, location: Path) -> None:
@@ -36,23 +36,23 @@ class LedgerCache:
         self.store = Store(f"ledgers/{name_place(location)}.json")
 
     def load(self) -> Ledger | None:
-        """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
+        """Return the ledger if nothing has changed, or None; an unreadable one counts as absent."""
         kept = self.store.read().get(self.program, {})
         with suppress(ValueError, KeyError, TypeError):
-            # The file of chosen forms is not among these if it was not there when the ledger was
-            # made.
+            # If no file of chosen forms existed when the ledger was made, the ledger does not
+            # list one.
             is_new = self.chosen.exists() and str(self.chosen) not in kept["read"]
             if not is_new and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
         return None
 
     def read_sources(self) -> Mapping[str, str]:
-        """Return the digests of the kept ledger's sources; none if it would be made anew."""
+        """Return the digests of the cached ledger's sources, or none if they have changed."""
         kept: Mapping[str, str] = self.store.read().get(self.program, {}).get("read", {})
         return kept if are_unchanged(kept) else {}
 
     def save(self, ledger: Ledger, read: Mapping[str, str]) -> None:
-        """Keep a ledger without failures; a row that no rung read may be this machine's fault."""
+        """Store a ledger without failures; a row that no rung read may be this machine's fault."""
         if ledger.failures or any(row.rung == UNREAD for row in ledger.judgements):
             return
         self.store.write({self.program: {"read": dict(read), "ledger": _write(ledger)}})
@@ -71,7 +71,7 @@ def _write(ledger: Ledger) -> dict[str, Any]:
 
 
 def _read(kept: dict[str, Any]) -> Ledger:
-    """Read what was written; a ValueError for a row that cannot be read."""
+    """Read a stored ledger; raises ValueError for a row that cannot be read."""
     judgements = [read_judgement(row) for row in kept["judgements"]]
     rows = tuple(row for row in judgements if row is not None)
     if len(rows) < len(judgements):

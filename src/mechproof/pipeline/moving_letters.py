@@ -1,6 +1,6 @@
-r"""Letters of a single equation that depend on others: \dot x beside x, u' beside u, and f(x).
+r"""Letters of a single equation that depend on others: \dot x next to x, u' next to u, and f(x).
 
-What they are is not said: a letter and its derivatives are numbers of which nothing is known.
+Their formulas are not given: a letter and its derivatives are numbers about which nothing is known.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.record import Variable
 
-# Letters that are functions of one that stands alone in a bracket behind them; of the time all
-# letters are.
+# Letters that are functions of a single letter in brackets after them; any letter may be one of
+# the time.
 _FUNCTIONS = (*"fghpqrsuvwyzFGH",)
-# Letters, also with an index, that are mostly constants beside others that depend on something.
+# Letters, also with an index, that are mostly constants next to letters that depend on something.
 _CONSTANT = (*"abcdegiklmnrABCGIJKLMNR", "delta", "lambda", "mu", "pi")
 _CONSTANT_VECTORS = tuple(f"{kind[1:]}c" for kind in VECTORS)
 _RATE = re.compile(
@@ -30,10 +30,10 @@ _RATE = re.compile(
     r"|\\(?P<dots>d{1,3})ot\s*\{?\s*(?P<dotted>\\?[A-Za-z]+(?:\s*\{\\?[A-Za-z]+\})?)\s*\}?"
     r"(?P<index>.*)"
 )
-# Signs in which a letter that depends on another is treated as a constant, although it is none.
+# Signs under which a dependent letter would be treated as a constant, although it is none.
 OTHERWISE = (r"\int", r"\iint", r"\lim", r"\partial")
-# Orders of derivatives that have symbols, and how many have to be printed of a letter that depends
-# on another.
+# Orders of derivatives that have symbols, and the fewest of a dependent letter that must be
+# printed.
 _ORDERS = range(1, 6)
 _FEWEST = 2
 
@@ -41,7 +41,8 @@ _FEWEST = 2
 def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, str]:
     r"""Return letters with the one that they are functions of, f(x), f'(x) or \dot f(t).
 
-    Something has to be differentiated by that. Others are left out, and those with an index.
+    Something must be differentiated by that one. The `others`, and letters with an index, are left
+    out.
     """
     found: dict[str, str] = {}
     split = list(map(_split, prints))
@@ -60,10 +61,10 @@ def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, st
 
 
 def list_differentials(prints: Iterable[str]) -> set[str]:
-    r"""Return the letters behind a d, by which something is differentiated or integrated.
+    r"""Return the letters after a d, by which something is differentiated or integrated.
 
-    Those above a line are left out, and x_1 is x_. A prime behind a bracket is listed, too, and so
-    are signs of other ways to treat a derivative.
+    Those in numerators are left out, and x_1 gives x_. A prime after a bracket is listed, too, and
+    so are other signs that treat derivatives differently.
     """
     texts = [[text for text in _split(latex) if text not in "{}"] for latex in prints]
     found = {text for one in texts for text in one if text in OTHERWISE}
@@ -79,7 +80,7 @@ def list_differentials(prints: Iterable[str]) -> set[str]:
 
 
 def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
-    """Yield a letter, with primes and dots too, as it is printed."""
+    """Yield a letter as it is printed, with its dots and primes."""
     for texts in map(_split, prints):
         for place in (place for place, text in enumerate(texts) if text == letter):
             start = place - 2 * (place > 1 and texts[place - 2] in DOTTED)
@@ -87,7 +88,7 @@ def list_rates(letter: str, prints: Iterable[str]) -> Iterator[str]:
 
 
 def find_end(texts: Sequence[str], place: int) -> int:
-    """Return the place behind a letter, the dots above it and its primes."""
+    """Return the place after a letter, the dots above it and its primes."""
     is_dotted = place > 1 and texts[place - 2] in DOTTED and texts[place + 1 : place + 2] == ["}"]
     end = place + 1 + is_dotted
     while texts[end : end + 1] == ["'"]:
@@ -103,7 +104,7 @@ def _split(latex: str) -> list[str]:
 class Moving:
     """Which letters depend on which, with their derivatives, and the variables of these.
 
-    A prime behind a bracket is a derivative by `primed`.
+    A prime after a bracket is a derivative by `primed`.
     """
 
     letters: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
@@ -114,10 +115,11 @@ class Moving:
 def find_moving(
     variables: Sequence[Variable], functions: Mapping[str, str], differentials: Collection[str] = ()
 ) -> Moving:
-    """Return the letters that depend on others: those whose derivatives stand beside them.
+    """Return the letters that depend on others: those whose derivatives occur next to them.
 
-    One with dots depends on the time, one with primes on x or t, or on the only angle. None does
-    where others may depend on something as well; `ValueError` if that is asked for then.
+    A letter with dots depends on the time, one with primes on x or t, or on the only angle. None
+    depends on others if there are letters that might do so as well; if derivatives are then asked
+    for, `ValueError` is raised.
     """
     shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
     kinds = (sp.Symbol, sp.MatrixSymbol)
@@ -168,15 +170,15 @@ def find_moving(
 def _find_running(
     symbols: Collection[str], primed: Collection[str], by: Collection[str], named: Collection[str]
 ) -> str:
-    """Return the letter that primes differentiate by; empty where that is not clear.
+    """Return the letter that primes differentiate by, or "" if that is not clear.
 
-    An angle by which something is differentiated is clear: it is `named`.
+    An angle is clear if something is differentiated by it, so that it is `named`.
     """
     angles = ({*map(name_symbol, RUNNING)} - {*"txyz"}) & {*symbols}
     alone = {"x"} - {*primed} or {"t"}
     printed = {"x", "t"} & {*symbols, *named}
     running = {*by} or (printed or {*named}) - {*primed} or angles or alone
-    # An angle beside a letter with a prime may as well be a constant.
+    # An angle next to a letter with a prime may as well be a constant.
     is_clear = len(running) == 1 and not (primed and running <= angles - {*named})
     return next(iter(running)) if is_clear else ""
 
@@ -201,7 +203,8 @@ def _refuse_others(
 ) -> None:
     """Refuse letters that depend on others in integrals, limits and partial derivatives.
 
-    Dots and primes of one print are by different letters, and may be of one that depends on both.
+    Dots and primes in one print are by different letters, and may belong to a letter that depends
+    on both.
     """
     names = sorted({_name_base(rate) for _, rate in met} or {*moving})
     if names and (found := sorted({*OTHERWISE} & {*differentials})):
@@ -220,14 +223,14 @@ def name_base(latex: str) -> str:
 
 
 def _name_base(rate: re.Match[str]) -> str:
-    """Return the letter of which something is the derivative, with its index."""
+    """Return the letter that a derivative is of, with its index."""
     return rate["primed"] or rate["dotted"] + rate["index"]
 
 
 def is_constant(name: str, primed: Collection[str]) -> bool:
-    """Return whether a letter is mostly a constant; g may be a function beside ones with primes.
+    """Return whether a letter is mostly a constant, which g is unless letters have primes.
 
-    Of vectors that is c alone.
+    The only such vector is c.
     """
     stem = name.partition("_")[0]
     is_constant = stem in _CONSTANT and not (primed and stem == "g")
@@ -248,7 +251,7 @@ def _get(symbols: Mapping[str, sp.Symbol], name: str) -> sp.Symbol:
 def find_rates(
     variables: Sequence[Variable], called: Mapping[sp.Basic, sp.Symbol]
 ) -> dict[sp.Basic, sp.Expr]:
-    r"""Return derivatives by their accents of letters that have values: y=x^2 makes y' 2x."""
+    r"""Return derivatives, by their accents, of letters that have values: y=x^2 makes y' 2x."""
     values = {v.symbol: v.given for v in variables if v.given is not None}
     given = {name_symbol(v.latex[0]): v.symbol for v in variables if v.given is not None}
     euler = {letter: value for letter, value in values.items() if value is sp.E}
@@ -272,7 +275,7 @@ def _differentiate(
     given: set[sp.Basic],
     by: sp.Symbol | None = None,
 ) -> sp.Expr:
-    """Return a derivative by the time for dots, for primes by x or the only letter that runs."""
+    """Return a derivative: by the time for dots, by x or the only running letter for primes."""
     letters = {s.name: s for s in value.free_symbols}
     by = by or letters.get("t" if rate["dotted"] else "x")
     if by is None and rate["primed"] and len(letters) == 1 and {*letters} <= {*RUNNING}:

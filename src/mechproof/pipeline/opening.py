@@ -1,6 +1,7 @@
-"""Opening: in, the place of a derivation; out, its paper and what is to be judged of it.
+"""Opening: from the place of a derivation to its paper and the tasks to be judged.
 
-The rows of derivatives are stated when they are judged: what they say takes as long as the proof.
+The rows of derivatives are only stated when they are judged: stating them takes as long as the
+proof.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ from mechproof.tools.cache import digest_program
 
 @dataclass(frozen=True)
 class Opened:
-    """A derivation that is loaded: its paper, all rows, and what of the paper a verdict sees.
+    """A loaded derivation: its paper, all rows, and the part of the paper that affects verdicts.
 
-    Its tasks are its rows, then the `derivatives` of each of these quantities. On `kernels`, the
-    numbers of rows, what is shipped rests.
+    Its tasks are its rows, then the derivatives of each quantity in `derivatives`. `kernels` holds
+    the numbers of the rows on which shipped code rests.
     """
 
     location: Path
@@ -39,12 +40,12 @@ class Opened:
 
     @property
     def tasks(self) -> tuple[str, ...]:
-        """Return the names of tasks: the numbers of rows, for several rows the first one's."""
+        """Return the names of tasks: row numbers, for a task of several rows the first one."""
         own = (row.number for row in self.rows)
         return (*own, *(list_derivative_numbers(quantity)[0] for quantity in self.derivatives))
 
     def is_kernel(self, task: int) -> bool:
-        """Return whether something that is shipped rests on a task."""
+        """Return whether shipped code rests on a task."""
         return task >= len(self.rows) or self.rows[task].number in self.kernels
 
     def state(self, task: int) -> tuple[Row, ...]:
@@ -56,7 +57,7 @@ class Opened:
         return derivative_rows(alone)
 
     def list_sources(self) -> tuple[object, ...]:
-        """List what the rows of each task are stated from."""
+        """Return, for each task, everything that its rows are stated from."""
         made = (digest_program(), self.paper.given)
         return (*self.rows, *((*made, quantity) for quantity in self.derivatives))
 
@@ -64,7 +65,7 @@ class Opened:
 def open_derivation(location: Path) -> Opened:
     """Load a derivation and state the rows of its forms.
 
-    Raises `DerivationError` naming the place.
+    Raises `DerivationError`, which names the place.
     """
     return open_paper(location, load_paper(location))
 

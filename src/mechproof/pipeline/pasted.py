@@ -67,7 +67,7 @@ class PastedError(ValueError):
 
 @dataclass(frozen=True)
 class Checked:
-    """The judgements of the signs, and what each letter was taken for."""
+    """The judgements of the signs, and what each letter was taken to be."""
 
     judgements: tuple[Judgement, ...]
     taken: Mapping[str, str] = field(default_factory=dict)
@@ -192,7 +192,7 @@ def _judge(pasted: Pasted) -> Checked:
 def _leave_out_shown(
     needed: Sequence[Relational], variables: Sequence[Variable], said: Sequence[sp.Basic]
 ) -> list[Relational]:
-    """Return the conditions for real values that do not follow from what is said."""
+    """Return the conditions for real values that do not follow from the relations stated."""
     if not needed:
         return []
     narrowed, where = narrow(*count_from_zero(variables, said))
@@ -206,7 +206,7 @@ def _is_shown(relation: Relational, domain: Domain) -> bool:
 
 
 def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
-    """Compare a printed definition with what other letters give, if its letter is not new."""
+    """Compare a printed definition with the value from other letters, if its letter is not new."""
     says = row.says
     if not isinstance(says, Definition):
         return row
@@ -223,9 +223,9 @@ def _compare_given(row: Row, letters: Letters, reader: Reader) -> Row:
 
 
 def _round_given(row: Row, letters: Letters) -> Row:
-    """Take the decimal given for a letter as the other side, rounded.
+    """Take the decimal given for a letter as the other side's value, rounded.
 
-    If the other side has the letter itself, the decimal is exact, as within any expression.
+    If the other side contains the letter itself, the decimal is exact, as it is inside expressions.
     """
     says, values = row.says, {v.symbol: v.given for v in letters.variables if v.given is not None}
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
@@ -261,7 +261,7 @@ def read_expression(pasted: Pasted) -> tuple[sp.Expr, Mapping[sp.Symbol, sp.Set]
 
 
 def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
-    """Refuse a letter that is introduced twice, or that other statements restrict, too."""
+    """Refuse a letter that is defined twice, or that other statements restrict, too."""
     says = [row.says for row in rows if isinstance(row.says, Definition)]
     defined = [one.symbol for one in says]
     bound = {s.name.removesuffix("_") for one in says for s in find_bound(one.printed)}
@@ -289,13 +289,13 @@ def _refuse_open(rows: Sequence[Row], reader: Reader, running: Collection[sp.Bas
             raise ValueError(f"nothing says at which {min(map(str, met))} to take a function")
 
 
-# What is said of letters ------------------------------------------------------------------------
+# Statements about letters -----------------------------------------------------------------------
 
 
 def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
     r"""Refuse f(x) named as one quantity where x runs, as in \int_0^1f(x)\,dx, and a free C.
 
-    A C beside an integral without limits depends on where the integral starts.
+    A C next to an integral without limits depends on where the integral starts.
     """
     parts = [p for text in pasted.prints for p in walk(reader.parse(text, upper=1).chains)]
     bound = (getattr(p, name, None) for p in parts for name in ("by", "differential", "index"))

@@ -1,4 +1,4 @@
-"""The letters of a pasted equation: what each is taken for, and what is said of them."""
+"""The letters of a pasted equation: what each is taken to be, and the statements about them."""
 
 from __future__ import annotations
 
@@ -55,12 +55,13 @@ _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}", "j")
 
 @dataclass(frozen=True)
 class Pasted:
-    """An equation and what is said about its letters, all in LaTeX.
+    """An equation and statements about its letters, all in LaTeX.
 
-    `names` are prints that are one quantity, `factors` names that a bracket multiplies, `where`
-    relations (`0<x<1`), `values` definitions (`C=0`), `natural` counts. Vectors have three
-    components; with `has_matrices` bold capitals are matrices of three rows and columns. Letters
-    that are `called` are functions of others; of the `unknown` among them nothing is said.
+    `names` are prints of single quantities, `factors` letters that a bracket after them multiplies,
+    `where` relations (`0<x<1`), `values` definitions (`C=0`), `natural` letters that count. Vectors
+    have three components; with `has_matrices`, bold capitals are matrices of three rows and
+    columns. Letters that are `called` are functions of others; the `unknown` among them are
+    arbitrary.
     """
 
     latex: str
@@ -76,17 +77,17 @@ class Pasted:
 
     @property
     def prints(self) -> tuple[str, ...]:
-        """All that is read: the equation, and what is said of its letters."""
+        """Return everything that is read: the equation, and the statements about its letters."""
         return (self.latex, *self.where, *self.values)
 
 
 @dataclass(frozen=True)
 class Letters:
-    """Letters with their values, how they are written, and relations that are said of them.
+    """Letters with their values, their notation, and the relations stated between them.
 
-    `tied` are those of equations that give one of them by the others, `rates` the derivatives of
-    letters that have values; `needed` must hold so that values are real, and `decimals` are the
-    digits of those that are rounded.
+    `tied` are the letters of equations that give one of them by the others, `rates` the derivatives
+    of letters that have values; `needed` must hold for values to be real, and `decimals` has the
+    digits of the values that are rounded.
     """
 
     variables: tuple[Variable, ...]
@@ -99,10 +100,10 @@ class Letters:
 
 
 def read_letters(pasted: Pasted) -> Letters:
-    """Return the letters with their values, how they are written, and what is said of them."""
+    """Return the letters with their values, their notation, and the statements about them."""
     pasted = _take_special(pasted)
     counts = tuple(x for x in find_counts(pasted.prints, pasted.natural) if x not in pasted.names)
-    # f(x) is none of f where that is a factor, or the print a name.
+    # f(x) is no function of x if f is a factor, or the print a name.
     said = [*pasted.factors, *pasted.called, *(name.partition("(")[0] for name in pasted.names)]
     functions = find_functions(pasted.prints, said)
     variables = _declare(pasted, counts, functions)
@@ -152,7 +153,7 @@ def _find_functions(pasted: Pasted) -> dict[str, type[sp.gamma]]:
 
 
 def _take_special(pasted: Pasted) -> Pasted:
-    """Return what is pasted with special letters named as such: Euler's number e, factors, ..."""
+    """Name special letters of a pasted equation as such: Euler's number e, factors, ..."""
     prints = pasted.prints
     said = [text.partition("=")[0].strip() for text in pasted.values]
     said += [*special_letters.find_declared(pasted.where), *special_letters.find_running(prints)]
@@ -187,7 +188,7 @@ def _list_needed(variables: Sequence[Variable]) -> list[Relational]:
 def _declare(
     pasted: Pasted, counts: Collection[str], functions: Mapping[str, str]
 ) -> tuple[Variable, ...]:
-    """Make a variable of each name that is said and of each letter that is met."""
+    """Make a variable for each stated name and each letter that occurs."""
     bold = bold_letters.find_bold(pasted.prints, pasted.names)
     rates = [name for letter in functions for name in list_rates(letter, pasted.prints)]
     of = (*functions, *functions.values(), *rates)
@@ -222,7 +223,7 @@ def _declare(
 
 
 def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
-    """Refuse what is no real number: the imaginary unit, operators that are not known."""
+    """Refuse letters that are no real numbers: the imaginary unit, unknown operators."""
     operators = {rf"\mathrm{{{name}}}" for text in prints for name in _OPERATOR.findall(text)}
     for letter in letters:
         if letter in _IMAGINARY:
@@ -239,7 +240,7 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
 
 
 def _refuse_matrices(letters: Collection[str], prints: Iterable[str]) -> None:
-    """Refuse a letter that is printed as matrices are, in square brackets or with a sign T."""
+    """Refuse a letter printed the way matrices are, in square brackets or with a sign T."""
     for letter, shown in find_possible_matrices(letters, prints):
         raise ValueError(
             rf"{letter} may be a matrix, as {shown} looks: print it bold, \mathbf {letter}, or say "
@@ -265,7 +266,7 @@ def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
 def count_from_zero(
     variables: Sequence[Variable], relations: Sequence[sp.Basic]
 ) -> tuple[tuple[Variable, ...], list[sp.Basic]]:
-    """Make letters that count from 1 count from 0 where that is said."""
+    """Make letters that count from 1 count from 0 if a relation or value includes 0."""
     said = [r for r in relations if isinstance(r, sp.Ge | sp.Gt | sp.Le | sp.Lt)]
     least = {r.gts for r in said if r.gts in r.free_symbols and r.subs(r.gts, 0) == sp.true}
     least |= {v.symbol for v in variables if v.given == 0}
@@ -297,7 +298,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
 
 
 def describe(variable: Variable) -> str:
-    """Say what a letter is taken for."""
+    """Return what a letter is taken to be."""
     if isinstance(variable.symbol, sp.MatrixSymbol):
         return (
             "a vector of 3 real numbers" if variable.symbol.shape[1] == 1 else "a real 3x3 matrix"
