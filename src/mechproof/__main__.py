@@ -1,4 +1,4 @@
-"""Entry point of the command line: what it needs, and in one sentence what the system refuses."""
+"""Entry point of the command line: checks its requirements, and reports system errors briefly."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "sympy"
 def main() -> None:
     """Run the command line; exit with 2 if the extra `derive` is not installed.
 
-    What is asked to end tidies up first. An error of the system, as a disk that is full or a
-    folder that cannot be written to, is a sentence and status 1.
+    A signal to end lets the program tidy up first. A system error, such as a full disk or a folder
+    that cannot be written to, is reported in a sentence, with status 1.
     """
     for number in ENDING:
         # Signals that the caller has set to be ignored stay ignored.
@@ -42,7 +42,7 @@ def _end(number: int, frame: object) -> NoReturn:
 
 
 def _check_streams() -> None:
-    """Refuse to run without an output: the next file that is opened would take its place."""
+    """Refuse to run without a stdout: the next file that is opened would take its place."""
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115
     if sys.stdout is None:
@@ -50,7 +50,7 @@ def _check_streams() -> None:
 
 
 def _give_up(error: OSError) -> NoReturn:
-    """Say what the system refuses, unless nobody listens any more, and end with 1."""
+    """Report a system error, unless nobody reads the output any more, and exit with 1."""
     with suppress(OSError):
         if not isinstance(error, BrokenPipeError):
             print(f"mechproof: {error}", file=sys.stderr, flush=True)

@@ -77,7 +77,7 @@ class Choice:
         return "\n".join([str(self), *map(self._compare, self.others)])
 
     def _compare(self, other: Choice) -> str:
-        """Say whether a way is slower, no better, or too coarse."""
+        """Return whether and why a way is slower, no better, or too coarse."""
         if other.error > self.asked:
             reason = "not accurate enough"
         elif other._may_be_as_fast_as(self) or other.time < self.time:
@@ -87,7 +87,7 @@ class Choice:
         return f"not {other._describe()}: {reason}"
 
     def _may_be_as_fast_as(self, other: Choice) -> bool:
-        """Say whether the quartiles of the times overlap."""
+        """Return whether the quartiles of the times overlap."""
         (low, high), (lowest, highest) = self.quartiles, other.quartiles
         return low <= highest and lowest <= high
 
@@ -203,7 +203,7 @@ def _rate_tailored(
 
 
 def _rate(record: Record, timed: Timing, way: str, error: float, bound: float | None) -> Choice:
-    """Return what was measured of a way, taking the error it gives as the error asked for."""
+    """Return the measurements of a way as a choice, with its error as the error asked for."""
     quartiles = timed.lower, timed.upper
     facts = timed.median, quartiles, timed.count, record.unit
     return Choice(record.quantity, way, error, bound, *facts, asked=error)
@@ -240,15 +240,15 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
 
 
 def _tell_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
-    """List the arguments that may have any size measured, which may be the reason."""
+    """Return the arguments that may have any size measured, which may be the reason."""
     left = [f"{n} {lo:g} to {hi:g}" for n, (lo, hi) in record.ranges.items() if n not in pairs]
     return f" for all sizes of {', '.join(left)}" if left else ""
 
 
 def _find_home(folder: Path, record: Record) -> str:
-    """Return the package of the kernels that a record describes: the one beside it, if any.
+    """Return the package of the kernels that a record describes: the one next to it, if any.
 
-    `folder` is `measured` in that of the generated files, or `quick` in it.
+    `folder` is `measured` in the folder of the generated files, or `quick` in that one.
     """
     place = folder.resolve()
     generated = place.parent if place.name == MEASURED else place.parent.parent
@@ -280,7 +280,7 @@ def _rate_ways(
 
 
 def _locate(quantity: str, way: MeasuredWay, home: str) -> str:
-    """Return the dotted name of a generated function; empty for any other way."""
+    """Return the dotted name of a generated function; "" for any other way."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
         return f"{home}.forms.{system}.{name}_{way.key}"

@@ -1,6 +1,6 @@
-r"""A pasted print -> its statement, without what stands around it, and where that is meant.
+r"""A pasted print -> its statement, without its surroundings, and the conditions it holds under.
 
-A remainder in a single equation, \sin x=x+O(x^3), says what a quotient comes to for x to 0.
+A remainder in a single equation, \sin x=x+O(x^3), gives the limit of a quotient as x goes to 0.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _LABEL = re.compile(r"\\(?:tag\*?|label)\{[^{}]*\}|\\n(?:onumber|otag)")
 
 
 def unwrap(latex: str) -> str:
-    """Return an equation without what stands around it in a paper."""
+    """Return an equation without the delimiters, labels and punctuation around it in a paper."""
     text = _LABEL.sub("", latex).strip()
     for opening, closing in _WRAPPERS:
         if len(text) > len(opening) + len(closing) and text.startswith(opening):
@@ -40,7 +40,7 @@ def unwrap(latex: str) -> str:
 
 
 def part_equivalence(pasted: Pasted) -> tuple[Pasted, Pasted] | None:
-    """Return the two implications that the one double arrow of an equation says."""
+    """Return the two implications that an equation with a single double arrow states, or None."""
     one, other = _part_at_arrow(unwrap(pasted.latex), EQUIVALENCES)
     if not other:
         return None
@@ -50,7 +50,7 @@ def part_equivalence(pasted: Pasted) -> tuple[Pasted, Pasted] | None:
 
 
 def take_condition(pasted: Pasted) -> Pasted:
-    """Take the left side of the one arrow of an implication as the condition for the right side."""
+    """Take the left side of an implication with a single arrow as its right side's condition."""
     condition, conclusion = _part_at_arrow(pasted.latex, _IMPLIES)
     if not conclusion:
         return pasted
@@ -58,7 +58,7 @@ def take_condition(pasted: Pasted) -> Pasted:
 
 
 def _part_at_arrow(latex: str, arrows: Sequence[str]) -> tuple[str, str]:
-    """Return what stands before the one arrow of a print and what behind it, if there is one."""
+    """Return the parts before and after the only arrow of a print; the latter is "" without one."""
     found = [token for token in tokenize(latex) if token.text in arrows]
     if len(found) != 1:
         return latex, ""
@@ -87,9 +87,9 @@ _REMAINDER = re.compile(
 
 @dataclass(frozen=True)
 class Remainder:
-    """A power of what goes to 0, with which a remainder is compared.
+    """A power of the variable that goes to 0, which a remainder is compared with.
 
-    If it `is_bounded`, their quotient comes to any number, else to 0.
+    If it `is_bounded`, their quotient may tend to any number, otherwise to 0.
     """
 
     power: int
@@ -97,7 +97,7 @@ class Remainder:
 
 
 def take_remainder(latex: str) -> tuple[str, Remainder | None]:
-    r"""Return an equation with O(x^n) or o(x^n) behind it as the limit that this says."""
+    r"""Return an equation with O(x^n) or o(x^n) at its end as the limit that it states."""
     found = _REMAINDER.search(latex)
     before = latex[: found.start()] if found else ""
     tokens = tokenize(before)
@@ -115,9 +115,9 @@ def take_remainder(latex: str) -> tuple[str, Remainder | None]:
 def give_limits(
     rows: Sequence[Row], printed: str, domain: Domain, remainder: Remainder
 ) -> tuple[Row, ...]:
-    """Return rows with their print, which say what is shown of their limits.
+    """Return rows, with the original print, that state what can be shown about their limits.
 
-    Where the quotient by a lower power does not vanish, it is refuted that it does.
+    If the quotient by a lower power does not vanish, the row states that it does, to be refuted.
     """
     given = []
     for row in rows:

@@ -1,8 +1,8 @@
-"""Reporting: in, the places of papers; out, a folder of pages or one file, in three stages.
+"""Reporting: from the places of papers to a folder of pages or one file, in three stages.
 
 1. Judge: every row of the papers gets a verdict, unless nothing that its pages show has changed.
-2. Build: a page for each paper and each quantity; what is kept of a paper is taken as it is.
-3. Write: a folder or file that holds anything but a report stays as it is.
+2. Build: a page for each paper and each quantity; cached pages of a paper are reused.
+3. Write: a folder or file that holds anything but a report is left unchanged.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ def write_report(
     limit: float = LIMIT,
     progress: Progress = tell_nobody,
 ) -> tuple[int, list[str]]:
-    """Write the report of papers, in one file if `single`; return how many files, and what failed.
+    """Write the report of papers, in one file if `single`; return the file count and failures.
 
-    Raises `PipelineError`, and OSError for what cannot be written.
+    Raises `PipelineError`, and OSError if a file cannot be written.
     """
     ledgers = read_ledgers(locations, use_cache=use_cache, limit=limit, progress=progress)
     reads = [LedgerCache(place).read_sources() if use_cache else {} for place in locations]
@@ -56,7 +56,7 @@ def _load_others(
     limit: float,
     progress: Progress,
 ) -> list[Ledger]:
-    """Load the papers of which no pages are kept; return the ledgers of all."""
+    """Load the papers without cached pages; return the ledgers of all."""
     others = [place for place in locations if place not in kept]
     found = dict(zip(locations, ledgers, strict=True))
     if others:

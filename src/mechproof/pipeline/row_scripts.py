@@ -1,8 +1,8 @@
-"""Row scripts: in, papers; out, what Coq is given of each row, in three stages.
+"""Row scripts: from papers to the Coq script of each row, in three stages.
 
 1. Judge: every row of each paper gets a verdict.
-2. Write: what is certifiable becomes a script, on all processors where those share memory.
-3. Check: Coq runs the scripts, those that it refuses are removed, and the record can be kept.
+2. Write: each certifiable row becomes a script, on all processors if processes can be forked.
+3. Check: Coq runs the scripts, refused ones are removed, and the results can be recorded.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ Task = tuple[int, int]
 
 @dataclass(frozen=True)
 class Certified:
-    """How many scripts of so many rows are written and left out, and once checked, by Coq.
+    """How many scripts of how many rows are written and left out, and Coq's results if checked.
 
-    `lost` tells of those that a record has as accepted, and Coq does not accept.
+    `lost` names scripts that a record has as accepted but Coq does not accept.
     """
 
     rows: int
@@ -70,11 +70,12 @@ def certify(
     limit: float = LIMIT,
     progress: judging.Progress = judging.tell_nobody,
 ) -> Iterator[Certified]:
-    """Write the scripts of papers into a folder; with `check` have Coq check one in so many.
+    """Write the scripts of papers into a folder; with `check` have Coq check one in `one_in`.
 
-    Unless they are checked, those that Coq refuses by the record in `generated` are left out. With
-    `record` what it has as accepted is taken over, and it is kept. Yields what is written before it
-    is checked, too. Raises `PipelineError`.
+    If they are not checked, scripts that Coq refused according to the record in `generated` are
+    left out. With `record`, scripts that the record has as accepted are not run again, and the
+    record is updated. Yields the numbers once before and, with `check`, once after checking. Raises
+    `PipelineError`.
     """
     ledgers = judging.judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
     judging.refuse_failures(ledgers)
@@ -105,9 +106,9 @@ def certify(
 def write_row_scripts(
     ledgers: Mapping[Path, JudgedPaper], tell: Callable[[str], None] = lambda text: None
 ) -> list[RowScript]:
-    """Write a script for every row that is certifiable, or say why not, in their order.
+    """Return, for each certifiable row in order, its script or the reason why there is none.
 
-    Ledgers are by the places of their papers. Raises ValueError for a row at which it fails.
+    `ledgers` are given by the places of their papers. Raises ValueError for a row that fails.
     """
     _opened[:] = [(open_paper(place, ledger.paper), ledger) for place, ledger in ledgers.items()]
     try:
@@ -120,7 +121,7 @@ def write_row_scripts(
 
 
 def _list_tasks() -> list[Task]:
-    """List the numbers of papers and of their tasks, in the order of the ledgers."""
+    """Return the numbers of papers and of their tasks, in the order of the ledgers."""
     counts = enumerate(len(opened.tasks) for opened, _ in _opened)
     return [(place, task) for place, count in counts for task in range(count)]
 

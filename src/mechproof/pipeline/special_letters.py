@@ -1,7 +1,7 @@
-r"""What may be no letter in a single equation: e^x, \frac{d}{dx}, 1+j, \Gamma(x), or a function.
+r"""Prints that may be no letters in a single equation: e^x, \frac{d}{dx}, 1+j, \Gamma(x), or f.
 
-That may be said, as f(x)=x^2, or any. What stands in a bracket behind it is put for the letter that
-it is a function of.
+A letter may be declared a function, as in f(x)=x^2, or be an arbitrary one. The argument in
+brackets after it replaces its variable.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _LOGARITHMS = (r"\ln", r"\log")
 _DIFFERENTIAL = re.compile(
     r"\\i{0,2}int(?![A-Za-z])|(?:\}|\\frac\s*d)\s*\{\s*d\s*(?:[A-Za-z]|\\)|/\s*d\s*[a-z\\]"
 )
-# Matches the set that letters are said to be in, behind a print: \quad(n\in\mathbb{N}).
+# Matches the set that letters are said to be in, after a print: \quad(n\in\mathbb{N}).
 _SET = re.compile(
     r"\\in\s*\\mathbb\s*\{?\s*(?P<set>[NR])\s*\}?(?P<zero>_\{?0\}?)?\s*(?P<close>\)?)\s*\Z"
 )
@@ -62,9 +62,10 @@ def find_running(prints: Sequence[str]) -> set[str]:
 
 
 def means_euler(prints: Sequence[str]) -> bool:
-    """Tell whether an e is raised to letters, or under a logarithm, and none an eccentricity.
+    """Return whether an e has letters in its exponent or a logarithm before it: Euler's number.
 
-    So it is, too, where nothing else is free and what runs stands in an exponent or a factorial.
+    It is also Euler's number if no other letter is free and the running letter is in an exponent or
+    there is a factorial. It is not if any e is an eccentricity.
     """
     if any(map(_ECCENTRIC.search, prints)):
         return False
@@ -74,7 +75,7 @@ def means_euler(prints: Sequence[str]) -> bool:
 
 
 def _is_of_numbers(latex: str) -> bool:
-    """Tell whether e is the one letter that is free beside a power of what runs, or a factorial."""
+    """Return whether e is the only free letter, next to a factorial or a power of what runs."""
     running, texts = {*_RUNS.findall(latex)}, list_signs(latex)
     letters = {text for text in texts if begins_letter(text)}
     powers = (_list_letters(["e", *texts[n:]], 0) for n, text in enumerate(texts) if text == "^")
@@ -83,7 +84,7 @@ def _is_of_numbers(latex: str) -> bool:
 
 
 def _list_letters(texts: Sequence[str], place: int) -> list[str]:
-    """List what tells Euler's number from a letter: letters in its exponent, or a logarithm."""
+    """Return signs that e is Euler's number: letters in its exponent, or a logarithm before it."""
     if place and texts[place - 1] in _LOGARITHMS:
         return [texts[place - 1]]
     if texts[place + 1 : place + 3] != ["^", "{"]:
@@ -93,7 +94,7 @@ def _list_letters(texts: Sequence[str], place: int) -> list[str]:
 
 
 def find_gamma(prints: Iterable[str], names: Iterable[str]) -> dict[str, type[sp.gamma]]:
-    r"""Return the gamma function if \Gamma stands before brackets only, and is no name."""
+    r"""Return the gamma function if \Gamma only occurs before brackets, and is not a name."""
     behind = [
         texts[place + 1 : place + 2]
         for texts in map(list_signs, prints)
@@ -105,12 +106,12 @@ def find_gamma(prints: Iterable[str], names: Iterable[str]) -> dict[str, type[sp
 
 
 def has_differential(latex: str) -> bool:
-    r"""Tell whether a d may be that of a derivative or an integral."""
+    r"""Return whether a print has a d that may be that of a derivative or an integral."""
     return bool(_DIFFERENTIAL.search(latex))
 
 
 def has_letter_d(latex: str) -> bool:
-    """Tell whether a d stands in a print, and none of several with indices."""
+    """Return whether a print contains a letter d, unless d has an index anywhere."""
     texts = list_signs(latex)
     places = (place for place, text in enumerate(texts) if text == "d")
     plain = (place for place in places if texts[max(place - 2, 0)] not in ACCENTS)
@@ -119,9 +120,9 @@ def has_letter_d(latex: str) -> bool:
 
 
 def take_set(latex: str) -> tuple[str, tuple[str, ...], str]:
-    r"""Return a print without x\in\mathbb{R} behind it, the letters of it, and of which set: R, N.
+    r"""Return a print without x\in\mathbb{R} at its end, its letters, and the set's name: R, N.
 
-    The set of whole numbers from 0 on is N_0; nothing is taken of a print without a set.
+    The set of whole numbers from 0 up is N_0; a print without a set is returned unchanged.
     """
     end = latex.rfind(r"\in")
     kind = _SET.match(latex, end) if end >= 0 else None
@@ -143,15 +144,15 @@ def leave_out_integers(latex: str) -> str:
 
 _CALLED = r"(\\?[A-Za-z]+)"
 _SAID = re.compile(rf"\s*{_CALLED}\s*\(\s*{_CALLED}\s*\)\s*(?==)")
-# Letters that are taken for functions before brackets, beside derivatives or integrals.
+# Letters taken as functions if brackets follow, in prints with derivatives or integrals.
 _UNKNOWN = (*"fghuvwyFGH",)
-# The argument of a function that stands only before brackets.
+# The argument of a function that only occurs before brackets.
 _HIDDEN = sp.Dummy("x", real=True)
 _RUNNING = (*"xth",)
 
 
 def take_said(values: Iterable[str]) -> tuple[tuple[str, ...], dict[str, str]]:
-    """Return what is said, f(x)=... written as f=..., and of which letter each is a function."""
+    """Return the values, with f(x)=... written as f=..., and the variable of each function."""
     said, called = [], {}
     for text in values:
         if found := _SAID.match(text):
@@ -163,10 +164,10 @@ def take_said(values: Iterable[str]) -> tuple[tuple[str, ...], dict[str, str]]:
 
 
 def find_unknown(prints: Sequence[str]) -> dict[str, str]:
-    r"""Return letters that any functions may be put for, and what they are functions of.
+    r"""Return letters that may be arbitrary functions, with their variables.
 
-    Nothing is named where each has a bracket behind it. Those without, u in \int_a^buv'\,dx, have
-    primes somewhere, and something is integrated by one letter alone.
+    A function has no variable, "", if brackets follow each one. If not, as u in \int_a^buv'\,dx,
+    each has primes somewhere, and something is integrated by a single letter.
     """
     split = list(map(list_signs, prints))
     going = {"".join(t[n + 3 : n + 4]) for t in split for n, x in enumerate(t) if x == r"\lim"}
@@ -187,7 +188,7 @@ def find_unknown(prints: Sequence[str]) -> dict[str, str]:
 
 
 def list_names(called: Mapping[str, str], prints: Sequence[str]) -> list[str]:
-    """List letters that are functions, with their primes, and the letters that they are of."""
+    """Return letters that are functions, with their primes, and the letters they depend on."""
     names = [
         name for letter in called for name in (letter, *moving_letters.list_rates(letter, prints))
     ]
@@ -197,7 +198,7 @@ def list_names(called: Mapping[str, str], prints: Sequence[str]) -> list[str]:
 def find_called(
     variables: Iterable[Variable], called: Mapping[str, str]
 ) -> dict[sp.Basic, sp.Symbol]:
-    """Return the symbols of functions and their derivatives, with what they are functions of."""
+    """Return the symbols of functions and of their derivatives, with their variables."""
     symbols = {latex: v.symbol for v in variables for latex in v.latex}
     bases = {latex: moving_letters.name_base(latex) for latex in symbols}
     return {symbols[x]: symbols.get(called[y], _HIDDEN) for x, y in bases.items() if y in called}
@@ -206,7 +207,7 @@ def find_called(
 def give_unknown(
     variables: Iterable[Variable], unknown: Collection[str], called: Mapping[sp.Basic, sp.Symbol]
 ) -> list[tuple[sp.Basic, sp.Expr]]:
-    """Return functions without known values as values; `ValueError` beside other possible ones."""
+    """Return arbitrary functions as values; `ValueError` if other letters may be functions, too."""
     if not unknown:
         return []
     known = {*called, *called.values()}

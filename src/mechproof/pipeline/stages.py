@@ -1,14 +1,14 @@
-"""The pipeline: in, the places of derivations; out, the generated package, in five stages.
+"""The pipeline: from the places of derivations to the generated package, in five stages.
 
-1. Judge: every row and every form of each paper gets a verdict; what is shipped has to be PROVED.
-2. Bound: the rounding errors of the kernels are proved, as far as a certificate does not hold.
+1. Judge: every row and every form of each paper gets a verdict; what is shipped must be PROVED.
+2. Bound: the rounding errors of kernels are proved, unless a certificate still holds.
 3. Render: every form becomes a program and source in each language, which is read back; verdicts
    and bounds become the ledger, the certificates and the tables.
 4. Validate: the emitted kernels are run against the oracle.
-5. Write: what differs is replaced in one step, as far as it was generated and not edited.
+5. Write: files that differ are replaced in one step, if they were generated and not edited.
 
-A stage that finds a fault ends the run with `PipelineError`, and nothing is written. What is
-generated can then be measured.
+A stage that finds a fault ends the run with `PipelineError`, and nothing is written. The generated
+kernels can then be measured.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ PASSED = Store("validated.json")
 
 @dataclass(frozen=True)
 class Regenerated:
-    """The text of every file of the package by its name, and which of them are, or were, others."""
+    """The text of every file of the package by its name, and the changes to existing files."""
 
     files: Mapping[str, str]
     changes: tuple[Change, ...]
@@ -90,9 +90,9 @@ def regenerate(
     """Generate the package of the derivations at these places into the folder `generated`.
 
     With `check` nothing is written, and the changes are those that would be made. Without
-    `use_cache` nothing of an earlier run is taken over. A row that takes longer than `limit`
-    seconds is a fault, and so is a derivation that loads. `progress` is called with the title of
-    each stage that takes its time; it returns a context in which the stage runs.
+    `use_cache` no results of earlier runs are reused. A row that takes longer than `limit` seconds
+    is a fault, and so is a derivation that takes longer to load. `progress` is called with the
+    title of each stage that takes its time; it returns a context in which the stage runs.
     """
     if not locations:
         raise ValueError("locations: there are none, at least one derivation is needed")
@@ -135,7 +135,7 @@ def _render(
 
 
 def _render_tables(generated: Path, certificates: Sequence[Certificate | None]) -> dict[str, str]:
-    """Write the page of what was measured, with what is now proved beside it."""
+    """Return the page of the measurements, with the bounds now proved."""
     known = [certificate for certificate in certificates if certificate]
     records = read_records(generated / FOLDER)
     lines = list_lines(records, lambda record: select_claims(record, known))
@@ -151,12 +151,13 @@ def measure(
     processes: int = 1,
     progress: Progress = tell_nobody,
 ) -> Iterator[tuple[Path, str]]:
-    """Measure what the ways of computing quantities lose and cost, accuracy in so many processes.
+    """Measure how inaccurate and slow the ways of computing quantities are.
 
-    Names are quantities, systems or system.quantity, all if there are none; they are looked for in
-    the folder `derivations`, without one in those of the package. Yields each record's file once
-    it is written, with a headline, and in the end the page of all, without. ValueError for a name
-    that is unknown, `DerivationError` for a derivation that fails; both before anything is run.
+    `names` are quantities, systems or system.quantity, or all quantities if empty; they are sought
+    in the folder `derivations`, or without one in those of the package. Accuracy is measured in
+    `processes` processes. Yields each record's file once it is written, with a headline, and
+    finally the page of all records with "". Raises ValueError for an unknown name and
+    `DerivationError` for a derivation that fails, both before anything is run.
     """
     target = generated / FOLDER / (QUICK if quick else "")
     subjects = find_subjects(tuple(names), derivations)
@@ -188,17 +189,18 @@ def measure(
 
 # Time limit for a kernel, in seconds: a search for bounds not known yet may take most of an hour.
 LONGEST = 6 * 3600.0
-# The place of a paper, the number of a kernel of it, what is known of that, and whether with cache.
+# The place of a paper, the number of one of its kernels, the known claims about it, and whether
+# the cache is used.
 _Certifying = tuple[Path, int, tuple[RoundingClaim, ...], bool]
 
 
 def certify_derivations(
     papers: Mapping[Path, Paper], directory: Path, *, use_cache: bool
 ) -> list[Certificate | None]:
-    """Prove the bounds of papers, given by their places; None for one without charts.
+    """Prove the bounds of papers, given by their places; None for a paper without charts.
 
-    With the cache what was proved before is not done again. Raises ValueError for a chart that
-    cannot be used.
+    With the cache, bounds that were proved before are not proved again. Raises ValueError for a
+    chart that cannot be used.
     """
     tasks: list[_Certifying] = []
     for place, paper in papers.items():
@@ -242,7 +244,7 @@ def _find_paper(place: Path) -> Paper:
 
 
 def list_unmeant(paper: Paper, place: Path) -> list[str]:
-    """Name kernels whose rows say less than their definition, and that compute something else."""
+    """Return kernels whose rows say less than their definition and that compute something else."""
     refused, found = build_functions(paper).refused, []
     for subject in make_subjects(paper, place, None):
         quantity = subject.quantity
@@ -308,7 +310,7 @@ def _validate(task: tuple[Path, Path, str]) -> None:
 
 
 def _key(place: Path, paper: Paper, files: Mapping[str, str]) -> str:
-    """Return a key of all that the values depend on: sources of the package and of the paper."""
+    """Return a key of everything the values depend on: sources of the package and of the paper."""
     package = Path(__file__).parents[1]
     sources = [p for layer in LAYERS for p in sorted((package / layer).rglob("*.py"))]
     sources += sorted(place.rglob("*.py")) if place.is_dir() else [place]

@@ -31,7 +31,7 @@ LIMIT = 600.0
 
 
 class VerificationError(RuntimeError):
-    """What was judged is inconsistent: a derivation changed meanwhile."""
+    """The judgements are inconsistent, as a derivation changed in the meantime."""
 
 
 # Derivations that this process has opened; forked processes find those of their parent here.
@@ -45,9 +45,9 @@ def find_ledgers(
     limit: float = LIMIT,
     report: Callable[[str], None] = lambda text: None,
 ) -> list[Ledger]:
-    """Return the ledgers of the papers; one of which no file has changed is not judged again.
+    """Return the ledgers of the papers; a paper whose files have not changed is not judged again.
 
-    Otherwise as `judge_derivations`.
+    Otherwise like `judge_derivations`.
     """
     caches = {place: LedgerCache(place) for place in locations} if use_cache else {}
     found = {place: kept for place, cache in caches.items() if (kept := cache.load())}
@@ -67,7 +67,7 @@ def restore_papers(
     limit: float = LIMIT,
     report: Callable[[str], None] = lambda text: None,
 ) -> list[JudgedPaper]:
-    """Return the ledgers of `find_ledgers` with their papers, which are loaded if they were not."""
+    """Return the ledgers of `find_ledgers` with their papers, loading those not yet loaded."""
     return [
         ledger if isinstance(ledger, JudgedPaper) else _restore(ledger, location, limit, report)
         for ledger, location in zip(ledgers, locations, strict=True)
@@ -84,14 +84,14 @@ def judge_derivations(
     start: str = START,
     report: Callable[[str], None] = lambda text: None,
 ) -> list[JudgedPaper]:
-    """Judge every row of the papers, then what follows from findings and the rows of their forms.
+    """Judge every row of the papers, with the rows that follow from findings and those of forms.
 
-    Sources of papers, which have neither, are judged as `mechproof.check` does.
+    Sources of papers, which have no findings or forms, are judged as `mechproof.check` does.
 
-    With `only_kernels` the rows on which shipped kernels rest, and no findings.
-    `report` is told what has been done. A row that takes longer than `limit` seconds, that is
+    With `only_kernels`, only rows on which shipped kernels rest are judged, and no findings.
+    `report` is called with the progress. A row that takes longer than `limit` seconds, that is
     wrongly stated or at which the prover fails has no judgement but a failure that names it; the
-    other rows are judged all the same. Raises `DerivationError`, also for a derivation that takes
+    other rows are judged nevertheless. Raises `DerivationError`, also for a derivation that takes
     longer to load.
     """
     progress: dict[Path, _Progress] = {}
@@ -135,7 +135,7 @@ def _count_bytes(location: Path) -> int:
 def _restore(
     kept: Ledger, location: Path, limit: float, report: Callable[[str], None]
 ) -> JudgedPaper:
-    """Put a kept ledger and its paper together again; the rows of forms are not stated anew."""
+    """Reunite a cached ledger with its paper; the rows of forms are not stated again."""
     if location.suffix in SUFFIXES:
         return _check_source(location, limit, report, use_cache=True)
     report(f"loading {location}")
@@ -147,7 +147,7 @@ def _restore(
 
 
 def _add_rest(ledger: JudgedPaper, checked: checking.CheckedPaper) -> JudgedPaper:
-    """Add what the print of a paper has besides its rows, in its order; it needs no mechanics."""
+    """Add the judgements of a paper's other equations, in printed order; they need no mechanics."""
     rest = checked.to_ledger(ledger.system)
     return replace(
         ledger,
@@ -174,7 +174,7 @@ def _add_rows(paper: Paper, checked: checking.CheckedPaper) -> Paper:
 
 
 def _insert(rows: Sequence[R], others: Sequence[R], names: Sequence[str]) -> tuple[R, ...]:
-    """Insert other rows behind those whose equations come before theirs, or at the beginning."""
+    """Insert other rows after those whose equations come before theirs, or at the beginning."""
     places = {name: place for place, name in enumerate(names)}
     found = [(places.get(judging_workers.name_equation(row.number)), row) for row in rows]
     for other in others:
@@ -189,7 +189,7 @@ def _insert(rows: Sequence[R], others: Sequence[R], names: Sequence[str]) -> tup
 def _check_source(
     location: Path, limit: float, report: Callable[[str], None], *, use_cache: bool
 ) -> JudgedPaper:
-    """Judge a paper's own source, and keep its ledger if all that it names was there."""
+    """Judge a paper's own source, and cache its ledger if all files it names were found."""
     whole = LedgerCache(location)
     report(f"reading {location}")
     try:
@@ -209,7 +209,7 @@ class _Progress:
     def __init__(
         self, opened: Opened, whole: LedgerCache | None, only_kernels: bool, read: Mapping[str, str]
     ) -> None:
-        """Take over the judgements that are kept, if ledgers are kept (`whole`)."""
+        """Take over cached judgements, if ledgers are cached (`whole`)."""
         self.opened = opened
         self.whole = whole
         self.only_kernels = only_kernels
@@ -226,12 +226,12 @@ class _Progress:
         self.rest: checking.CheckedPaper | None = None
 
     def missing(self) -> Iterator[int]:
-        """Yield the numbers of tasks left, from the last: derivatives stand last, take longest."""
+        """Yield the numbers of tasks left, in reverse: derivatives come last and take longest."""
         done = self.found.keys() | self.failed.keys()
         return (n for n in reversed(self.wanted) if n not in done)
 
     def add(self, number: int, result: tuple[Judgement, ...] | WorkerError) -> None:
-        """Take the result of a task; a process that read the file anew may have met another."""
+        """Add the result of a task; a process that rereads the file may have another version."""
         name = self.tasks[number]
         if isinstance(result, WorkerError):
             self.failed[number] = f"{self.opened.location}: row {name}: {result}"
@@ -241,13 +241,13 @@ class _Progress:
             self.found[number] = result
 
     def save(self) -> None:
-        """Keep what is new."""
+        """Store new judgements in the cache."""
         judged = {self.keys[number]: found for number, found in self.found.items()}
         if judged != self.kept:
             self.cache.save(judged)
 
     def finish(self) -> JudgedPaper:
-        """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
+        """Return the ledger with rows in order; raises `DerivationError` for a wrong finding."""
         paper = self.opened.paper
         found = [(n, judgement) for n in sorted(self.found) for judgement in self.found[n]]
         ledger = JudgedPaper(
@@ -279,7 +279,7 @@ def _fill(
     start: str,
     report: Callable[[str], None],
 ) -> None:
-    """Judge what is missing of each paper while the next ones are still loaded."""
+    """Judge the missing rows of each paper while the next ones are still being loaded."""
     tasks: list[tuple[_Progress, int]] = []
 
     def make(load: Callable[[], _Progress]) -> list[tuple[Path, int]]:
@@ -297,14 +297,14 @@ def _fill(
 
 
 def _count(papers: Iterable[_Progress]) -> str:
-    """Say how many rows of each paper have been judged, of those with rows that have not."""
+    """Return the progress of each paper that has rows left: judged rows of all rows."""
     counts = [(p.opened.paper.system, len(list(p.missing())), len(p.wanted)) for p in papers]
     at_work = [f"{name} {rows - left} of {rows}" for name, left, rows in counts if left]
     return ", ".join(at_work) or "all rows judged"
 
 
 def list_failures(ledgers: Sequence[Ledger]) -> list[str]:
-    """Name rows that could not be judged, and kernels that are not proved, with what differs where.
+    """Return rows that could not be judged, and kernels not proved, with where they differ.
 
     A kernel is proved exactly or within its bound.
     """
