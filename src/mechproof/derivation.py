@@ -1,9 +1,10 @@
-"""Where papers come from: the derivations of the package, of a folder, or one of a user.
+"""The sources of papers: derivations of the package, of a folder, or a single one of a user.
 
 A derivation is a file `<system>.py`, or a folder `<system>/` whose `__init__.py` binds the paper.
-What begins with an underscore is shared by the papers of a folder and is no system. Beside it lie
-chosen forms, `system.forms.json` or `forms.json` in the folder: quantity -> names of rewrites that
-were found, with which its definition is computed. What it ships otherwise is kept as a rival.
+Names that begin with an underscore are shared by the papers of a folder and are no systems. Next to
+a derivation are its chosen forms, `system.forms.json` or `forms.json` in the folder: quantity ->
+names of rewrites that were found, with which its definition is computed. The form that it ships
+otherwise is kept as a rival.
 """
 
 from __future__ import annotations
@@ -48,13 +49,13 @@ _places: dict[str, Path] = {}
 
 
 def find_file(place: Path) -> Path:
-    """Return where the forms of a derivation are kept."""
+    """Return the file of chosen forms of a derivation."""
     place = place.parent if place.name == "__init__.py" else place
     return place / "forms.json" if place.is_dir() else place.with_suffix(".forms.json")
 
 
 def read_chosen(place: Path) -> Chosen:
-    """Return what is chosen; ValueError naming the file where it is not what is written there."""
+    """Return the chosen forms; raises ValueError, naming the file, if its content is invalid."""
     file = find_file(place)
     if not file.is_file():
         return {}
@@ -70,14 +71,14 @@ def read_chosen(place: Path) -> Chosen:
 
 
 def add_chosen(place: Path, chosen: Chosen) -> Path:
-    """Add to what is chosen, and return the file."""
+    """Add to the chosen forms, and return the file."""
     file, known = find_file(place), read_chosen(place)
     write_whole(file, json.dumps({**known, **chosen}, indent=1, sort_keys=True) + "\n")
     return file
 
 
 def choose_forms(paper: Paper, place: Path) -> Paper:
-    """Return the paper with the chosen forms shipped; ValueError for one that it does not have."""
+    """Return the paper with the chosen forms shipped; raises ValueError for an unknown quantity."""
     chosen = read_chosen(place)
     if unknown := sorted(chosen.keys() - {q.name for q in paper.quantities}):
         raise ValueError(f"{find_file(place)}: {paper.system} has no quantities {unknown}")
@@ -104,7 +105,7 @@ def _choose(quantity: Quantity, rewrites: tuple[str, ...]) -> Quantity:
 
 
 class DerivationError(RuntimeError):
-    """A derivation could not be loaded, or does not bind one `Paper` to the name PAPER."""
+    """A derivation could not be loaded, or does not bind a `Paper` to the name PAPER."""
 
 
 class _SourceLoader(SourceFileLoader):
@@ -129,7 +130,7 @@ class _FolderFinder(MetaPathFinder):
 
 
 def _specify(name: str, place: Path) -> ModuleSpec | None:
-    """Describe the module of a file of any name, or of a folder."""
+    """Return the import spec of a file of any name, or of a folder."""
     file = place / "__init__.py" if place.is_dir() else place
     inside = [str(place)] if place.is_dir() else None
     return importlib.util.spec_from_file_location(
@@ -149,9 +150,9 @@ def packaged_directory() -> Path:
 
 
 def find_systems(directory: Path) -> dict[str, Path]:
-    """Return system -> place (a file or a folder) of a folder's derivations, in their order.
+    """Return system -> place (a file or a folder) of a folder's derivations, in order.
 
-    Raises `DerivationError` for a system that is there twice, as a file and as a folder.
+    Raises `DerivationError` for a system that exists twice, as a file and as a folder.
     """
     files = [path for path in directory.glob("[!_.]*.py") if path.is_file()]
     folders = [path.parent for path in directory.glob("[!_.]*/__init__.py")]
@@ -162,11 +163,11 @@ def find_systems(directory: Path) -> dict[str, Path]:
 
 
 def load_paper(location: Path) -> Paper:
-    """Run a derivation, a file or a folder, and return its paper, its prints read.
+    """Run a derivation, a file or a folder, and return its paper with its prints read.
 
-    It is read anew each time, with what it imports relatively: its folder serves as a package
-    (whose own `__init__.py` is not run, but for the derivations that come with mechproof).
-    Raises `DerivationError` naming the file and the line of what went wrong.
+    It is read anew each time, with its relative imports: its folder serves as a package (whose own
+    `__init__.py` is only run for the derivations that come with mechproof). Raises
+    `DerivationError`, which names the file and the line at fault.
     """
     place = _to_place(location)
     if not place.exists():
@@ -175,7 +176,7 @@ def load_paper(location: Path) -> Paper:
 
 
 def load_packaged(system: str) -> Paper:
-    """Return the paper of a system of the package, its module imported once, prints not read."""
+    """Return the paper of a system of the package, imported once, without reading its prints."""
     paper: Paper = importlib.import_module(f"{PACKAGE}.{system}").PAPER
     return paper
 
@@ -197,10 +198,10 @@ def _run(place: Path) -> Paper:
 
 
 def load_part(location: Path, part: Literal["peers", "points", "pictures"]) -> ModuleType | None:
-    """Import an optional module of a derivation that is a folder; None where there is none.
+    """Import an optional module of a derivation that is a folder; None if there is none.
 
-    It shares the modules of the paper that was last loaded from there.
-    Raises `DerivationError` as `load_paper` does.
+    It shares the modules of the paper that was last loaded from there. Raises `DerivationError` as
+    `load_paper` does.
     """
     place = _to_place(location)
     if not (place / f"{part}.py").is_file():
@@ -211,11 +212,11 @@ def load_part(location: Path, part: Literal["peers", "points", "pictures"]) -> M
 
 
 def load_kernels(name: str, generated: Path | None) -> ModuleType | None:
-    """Import a generated module, of the package or of a folder; None where there is none.
+    """Import a generated module, of the package or of a folder; None if there is none.
 
-    Compiled code is kept beside a file with the name of its module, which must be found by it. A
-    file with the text of the package's is that module, unless that was loaded before, perhaps
-    from an older text.
+    The name of a module must find its file, as compiled code is cached next to it. A file with the
+    same text as the package's module is that module, unless that was loaded before, perhaps from an
+    older text.
     """
     full = f"{KERNELS}.{name}"
     packaged = importlib.util.find_spec(full)
@@ -234,7 +235,7 @@ def load_kernels(name: str, generated: Path | None) -> ModuleType | None:
 
 
 def check_folder(derivations: Any) -> Path:
-    """Return the folder of derivations that is given; TypeError or ValueError if it is none."""
+    """Return the given folder of derivations; raises TypeError or ValueError if it is none."""
     allowed = "must be the path of a folder of derivations"
     is_path = isinstance(derivations, str | os.PathLike)
     require(is_path, "derivations", derivations, allowed, TypeError)
@@ -243,7 +244,7 @@ def check_folder(derivations: Any) -> Path:
 
 
 def check_names(places: dict[str, Path], system: str, place: Path) -> None:
-    """Enter a paper into name -> place; `DerivationError` if another paper has its name."""
+    """Enter a paper into name -> place; raises `DerivationError` if another paper has its name."""
     other = places.setdefault(system, place)
     if other != place:
         raise DerivationError(f"{place}: its paper has the name {system!r}, as {other} has")
@@ -255,7 +256,7 @@ def _to_place(location: Path) -> Path:
 
 
 def _name_module(place: Path) -> str:
-    """Name the module of a place in a package of which nothing old is loaded."""
+    """Name the module of a place in a package from which nothing old is loaded."""
     if place.parent == packaged_directory().resolve():
         name = f"{PACKAGE}.{place.stem}"
         _forget(name, f"{PACKAGE}._")
@@ -278,7 +279,7 @@ def _forget(name: str, *shared: str) -> None:
 
 @contextmanager
 def stop_after(seconds: float, location: Path) -> Iterator[None]:
-    """End what runs longer; `DerivationError` naming the place of a derivation."""
+    """Stop the block after some seconds with a `DerivationError` that names the derivation."""
     try:
         with limit_time(seconds):
             yield
@@ -288,7 +289,7 @@ def stop_after(seconds: float, location: Path) -> Iterator[None]:
 
 @contextmanager
 def _refuse_exit() -> Iterator[None]:
-    """Turn an exit, which would end the process with a status that looks right, into an error."""
+    """Turn an exit, which would end the process with a plausible status, into an error."""
     end = os._exit
 
     def refuse(status: int) -> NoReturn:
@@ -324,6 +325,6 @@ def _find_fault(error: BaseException, place: Path) -> str:
 
 
 def _is_own(file: Path, place: Path) -> bool:
-    """Return whether a file lies in the folder of a derivation or is shared beside it."""
+    """Return whether a file is in the folder of a derivation, or shared next to it."""
     folders = file.resolve().parents
     return file.is_file() and (folders[0] == place.parent or place in folders)

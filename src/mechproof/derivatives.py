@@ -1,4 +1,4 @@
-"""Partial derivatives of a function of numbers: by the generated kernel where it has one.
+"""Partial derivatives of a function of numbers, by a generated kernel if it has one.
 
 >>> from mechproof.kernels.elliptic_planetary import largest_ratio
 >>> slopes = differentiate(largest_ratio, {"R1": 66.0, "R2": 16.0, "e": 0.475})
@@ -22,7 +22,7 @@ Function = Callable[..., Any]
 
 
 def find_derivatives(function: Function) -> Function | None:
-    """Return the kernel of the derivatives of a kernel, NumPy's or compiled; None for others."""
+    """Return the derivative kernel of a NumPy or compiled kernel; None for other functions."""
     module, name = (str(getattr(function, word, "")) for word in ("__module__", "__name__"))
     package, _, system = module.removeprefix(f"{KERNELS}.").rpartition(".")
     own = f"{KERNELS}.derivatives.{system}"
@@ -33,10 +33,10 @@ def find_derivatives(function: Function) -> Function | None:
 
 
 def differentiate(function: Function, arguments: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return the derivative by every argument of a kernel; None for what has no such kernel.
+    """Return the derivatives of a kernel by all arguments; None if it has no derivative kernel.
 
-    `arguments` are by name, arrays that broadcast; so is each derivative. An argument that is
-    left out counts with its default.
+    `arguments` are given by name, as arrays that broadcast; each derivative has their common shape.
+    An argument that is left out has its default.
     """
     derivatives = find_derivatives(function)
     if derivatives is None:

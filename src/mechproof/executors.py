@@ -1,9 +1,9 @@
 """Work in chunks, spread over the executor of `concurrent.futures` that a caller brings.
 
-The chunks are the same whatever does them, and their results come in their order: nothing depends
-on the executor or on the number of its workers. Chunks that draw have generators of their own,
-spawned from the caller's. A bounded number of chunks is under way at a time. No process is started
-here: that, and watching over tasks that may hang or die, is what `processes` is for.
+The chunks are the same whoever does them, and their results come in order: nothing depends on the
+executor or on the number of its workers. Chunks that draw random numbers have generators of their
+own, spawned from the caller's. A bounded number of chunks is under way at a time. No process is
+started here: that, and watching over tasks that may hang or die, is the task of `processes`.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ Result = TypeVar("Result")
 BALLS = Lock()
 # Tasks sent to a worker at once, as sending one costs as much as doing a small one.
 BATCH = 16
-# Batches running or waiting: enough for some ten workers, and few enough for the memory.
+# Batches running or waiting: enough for about ten workers, and few enough for the memory.
 IN_FLIGHT = 32
 
 
 class _Failure(NamedTuple):
-    """What a task raised; all else that an executor raises is its own."""
+    """An exception raised by a task; all other exceptions are the executor's own."""
 
     error: Exception
 
 
 def check_executor(executor: Any) -> None:
-    """Raise TypeError for what is neither None nor an executor."""
+    """Raise TypeError unless the argument is None or an executor."""
     fits = executor is None or isinstance(executor, Executor)
     allowed = "must be None or a concurrent.futures.Executor"
     require(fits, "executor", executor, allowed, TypeError)
@@ -52,7 +52,7 @@ def slices(total: int, step: int) -> Iterator[slice]:
 
 
 def spawn_generators(rng: Any) -> Iterator[np.random.Generator]:
-    """Yield independent generators, spawned one by one; TypeError for what is no such source."""
+    """Yield independent generators, spawned one by one; TypeError if `rng` cannot spawn."""
     check_generator("rng", rng)
     while True:
         try:
@@ -71,12 +71,12 @@ def run_in_order(
     *,
     batch: int = BATCH,
 ) -> Iterator[Result]:
-    """Yield function(task) for every task, in order; here and now without an executor.
+    """Yield function(task) for every task, in order; without an executor, in this thread.
 
-    NumPy's errors are handled as they are here. Tasks are taken as they are sent: at most
-    IN_FLIGHT times `batch` of them, or their results, are held. Raises what a task raises;
-    TypeError if function, task or result cannot be sent to another process and back;
-    `WorkerError` if the executor has lost a worker and the task.
+    NumPy's error handling is the caller's. Tasks are drawn as they are sent: at most IN_FLIGHT
+    times `batch` of them, or their results, are held. Raises what a task raises; TypeError if
+    function, task or result cannot be sent to another process and back; `WorkerError` if the
+    executor has lost a worker and the task.
     """
     if executor is None:
         yield from map(function, tasks)
@@ -101,8 +101,8 @@ def _submit(
 ) -> Future[list[Result] | _Failure]:
     try:
         if isinstance(executor, ProcessPoolExecutor):
-            # Checks at once that the task can be sent: in Python 3.11.2 a pool whose last tasks are
-            # cancelled may never end.
+            # Checks at once that the task can be sent: in Python 3.11.2 a pool whose last tasks
+            # are cancelled may never end.
             ForkingPickler.dumps((function, tasks))
         return executor.submit(_run, function, tasks, np.geterr())
     except Exception as error:
@@ -130,7 +130,7 @@ def _run(
 
 
 def _explain(error: Exception) -> Exception:
-    """Return the error of what an executor raised by itself."""
+    """Return the error to raise for an exception of the executor itself."""
     from mechproof.tools.processes import WorkerError
 
     if isinstance(error, pickle.PicklingError | AttributeError | TypeError):

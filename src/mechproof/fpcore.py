@@ -1,6 +1,6 @@
-"""FPCore: in, texts of FPBench's benchmarks; out, straight-line programs and the boxes they run on.
+"""FPCore: from texts of FPBench's benchmarks to straight-line programs and their input boxes.
 
-The language is FPCore 2.0 (Damouche et al. 2017), of which what is straight-line in doubles is
+The language is FPCore 2.0 (Damouche et al. 2017), of which the straight-line part in doubles is
 read: `+ - * / sqrt fma`, functions, `let` and `let*`. All else is refused by its name and line.
 """
 
@@ -28,7 +28,7 @@ DEEPEST = 150
 
 
 class FPCoreError(ValueError):
-    """A text of FPCore that cannot be read; it says where and why."""
+    """A text of FPCore that cannot be read; the message says where and why."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Atom:
 
 @dataclass(frozen=True)
 class Group:
-    """What stands in brackets, with the line of the opening one."""
+    """The expressions in a pair of brackets, with the line of the opening one."""
 
     parts: tuple[Atom | Group, ...]
     line: int
@@ -51,7 +51,7 @@ Node = Atom | Group
 
 
 def read_expressions(text: str) -> tuple[Node, ...]:
-    """Return the expressions of a text; `FPCoreError` for brackets that do not match."""
+    """Return the expressions of a text; raises `FPCoreError` for brackets that do not match."""
     waiting: list[tuple[str, int, list[Node]]] = [("", 1, [])]
     for mark, line in _list_tokens(text):
         if mark in _CLOSING:
@@ -84,7 +84,7 @@ def _list_tokens(text: str) -> Iterator[tuple[str, int]]:
 
 
 def read_file(path: Path) -> str:
-    """Return the text of a file; `FPCoreError` for one that is no text."""
+    """Return the text of a file; raises `FPCoreError` if it is not UTF-8."""
     try:
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
@@ -97,7 +97,7 @@ _HEXADECIMAL = re.compile(r"([+-]?)0x([0-9a-f]+)(?:\.([0-9a-f]+))?(?:p([+-]?\d{1
 
 
 def read_number(text: str) -> Fraction | None:
-    """Return the value of a number, None for any other text."""
+    """Return the value of a number, or None for any other text."""
     if _DECIMAL.fullmatch(text) or _FRACTION.fullmatch(text):
         return Fraction(text)
     if found := _HEXADECIMAL.fullmatch(text):
@@ -110,7 +110,7 @@ def read_number(text: str) -> Fraction | None:
 
 
 def _count_operands(row: Kind) -> int:
-    """Count the operands in a kind's meaning; functions that are read as such have one."""
+    """Return the number of operands of a kind's meaning, or 1 for functions without a meaning."""
     return len(signature(row.meaning).parameters) - 1 if row.meaning else 1
 
 
@@ -127,7 +127,7 @@ _SMALLER_FIRST = {"<": True, "<=": True, ">": False, ">=": False}
 
 @dataclass(frozen=True)
 class Core:
-    """A straight-line program, the box of its arguments, and where it stands."""
+    """A straight-line program, the box of its arguments, and its line."""
 
     name: str
     straight: StraightLineProgram
@@ -136,7 +136,7 @@ class Core:
 
 
 def read_cores(text: str) -> tuple[Core, ...]:
-    """Return the cores of a text; `FPCoreError` names the line of what is not straight-line."""
+    """Return the cores of a text; `FPCoreError` names the line that is not straight-line."""
     cores = tuple(_read_core(node, number) for number, node in enumerate(read_expressions(text), 1))
     if not cores:
         raise FPCoreError("there is no FPCore")
@@ -209,7 +209,7 @@ def _read_end(small: Node, large: Node, arguments: Sequence[str]) -> tuple[str, 
 
 
 def _find_number(node: Node) -> Fraction | None:
-    """Return a number, also one with a sign before it or a quotient of two."""
+    """Return a number, possibly with a sign or as a quotient of two; None for anything else."""
     if isinstance(node, Atom):
         return read_number(node.text)
     head, *operands = node.parts or (Atom("", node.line),)

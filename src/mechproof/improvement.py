@@ -1,12 +1,12 @@
-"""Improvement: in, a quantity; out, a proved form that loses fewer digits than the shipped one.
+"""Improvement: from a quantity to a proved form that loses fewer digits than the shipped one.
 
-The named rewrites are tried one after the other in the order of their table, each on the best that
-was found so far. What a rewrite does not change is dropped, and so is what computes the same as
-another candidate. A rewrite that gains nothing by itself, as the low word of an angle, is kept for
-those after it. The search is tuned on other points than those on which it is reported.
+The named rewrites are tried one after another in the order of their table, each on the best
+candidates found so far. Candidates that a rewrite does not change, or that compute the same as
+another candidate, are dropped. A rewrite that gains nothing on its own, such as the low word of an
+angle, is kept for those after it. The search is tuned on other points than those reported on.
 
-Herbie (Panchekha et al. 2015) searches rules for single expressions in a graph of equal ones; here
-a rule is a named rewrite of a whole form, so that what is found is a form as a person would write
+Herbie (Panchekha et al. 2015) searches for rules for single expressions in a graph of equal ones;
+here a rule is a named rewrite of a whole form, so that each find is a form as a person would write
 it, which is emitted, read back and proved like any other.
 """
 
@@ -49,7 +49,7 @@ NOTHING = (0, 0)
 
 @dataclass(frozen=True)
 class Points:
-    """Points on which a quantity hurts, and its values there."""
+    """Points at which a quantity is hard to compute, and its values there."""
 
     arguments: Arguments
     truth: Truth
@@ -58,7 +58,7 @@ class Points:
 
 @dataclass(frozen=True)
 class Loss:
-    """What a way of computing loses on points: the worst of them, and the bits lost on average."""
+    """The loss of a way of computing on points: the worst error, its point, and mean bits lost."""
 
     worst: float
     bits: float
@@ -71,12 +71,12 @@ class Loss:
 
     @property
     def level(self) -> tuple[int, int]:
-        """Return what is compared: whole digits, then whole bits; the rest is chance."""
+        """Return the values to be compared: whole digits, then whole bits; the rest is chance."""
         return round(self.digits), int(self.bits)
 
 
 def draw(subject: Subject, seed: int) -> Points:
-    """Draw some points of every set, as far as the accuracy of the quantity is stated there."""
+    """Draw points of every set; those where no accuracy is stated do not count."""
     sets = (
         tuple(column[choose_evenly(len(column), MOST)] for column in drawn)
         for drawn in draw_sets(subject, seed, SHARE)
@@ -87,7 +87,7 @@ def draw(subject: Subject, seed: int) -> Points:
 
 
 def measure_loss(compute: Compute, points: Points) -> Loss:
-    """Compare what is computed with the truth."""
+    """Compare the results of a way of computing with the truth."""
     with np.errstate(all="ignore"):
         errors: Errors = find_errors(compute(*points.arguments), points.truth)
     scaled = np.where(points.counts, errors.scaled, 0.0)
@@ -111,12 +111,12 @@ class Candidate:
 
     @cached_property
     def kernel(self) -> Kernel:
-        """Return the code; ValueError or NotImplementedError where a rewrite does not fit."""
+        """Return the code; raises ValueError or NotImplementedError if a rewrite does not fit."""
         return build_kernel(self.quantity.name, self.quantity, (self.form,), self.subject.paper)
 
     @property
     def operations(self) -> int:
-        """Count the operations."""
+        """Return the number of operations."""
         return self.kernel.code.count_operations()[-1]
 
     def compute(self, *arguments: Array) -> Array:
@@ -131,7 +131,7 @@ class Candidate:
 
 
 def can_be_searched(quantity: Quantity) -> bool:
-    """Say whether a quantity is computed point by point; sums over axes are not rewritten."""
+    """Return whether a quantity is computed point by point; sums over axes are not rewritten."""
     return bool(quantity.forms) and not quantity.has_families
 
 
@@ -139,7 +139,7 @@ def can_be_searched(quantity: Quantity) -> bool:
 KEPT = 8
 # Rewrites that save no digits: they are for speed, or for float32.
 FOR_SPEED = ("clenshaw", "in_single")
-# Errors of a rewrite that does not fit: something that it needs is missing, or has no operation.
+# Errors of a rewrite that does not fit: something it needs is missing, or has no operation.
 UNFIT = (ValueError, NotImplementedError)
 
 Found = tuple[Loss, Candidate]
@@ -161,7 +161,7 @@ def _rank(found: Found) -> tuple[tuple[int, int], int, int]:
 
 
 def _grow(found: list[Found], name: str, points: Points) -> Iterator[Found]:
-    """Yield what the rewrite makes of each candidate, if it changes it."""
+    """Yield each candidate after the rewrite, with its loss, if the rewrite changes it."""
     known = {candidate.kernel.code.stages for _, candidate in found}
     for _, candidate in found:
         rewrites = (*candidate.form.rewrites, name)
@@ -177,9 +177,9 @@ def _grow(found: list[Found], name: str, points: Points) -> Iterator[Found]:
 
 @dataclass(frozen=True)
 class Offer:
-    """What the shipped form loses, and a form that was found, if any, with the rungs that prove it.
+    """The loss of the shipped form, and a better form, if one was found, with its proving rungs.
 
-    `why` says why none is offered.
+    `why` is the reason why none is offered.
     """
 
     quantity: str
@@ -193,7 +193,7 @@ class Offer:
     why: str = ""
 
     def describe(self) -> str:
-        """Return a line for people."""
+        """Return the offer as a sentence."""
         named = zip(self.arguments, self.shipped.at, strict=True)
         at = ", ".join(f"{name} = {_show(value)}" for name, value in named)
         lost = f"loses {_tell(self.shipped)}"
@@ -209,7 +209,7 @@ class Offer:
 
 
 def _tell(loss: Loss) -> str:
-    """Say how many digits are lost; less than one half is the rounding of a few operations."""
+    """Return how many digits are lost; below 0.5, just the rounding of a few operations, "none"."""
     if loss.digits < 0.5:
         return "none"
     if loss.digits >= ALL_DIGITS:
@@ -249,7 +249,7 @@ def find_offer(subject: Subject) -> Offer:
 
 
 def prove(candidate: Candidate) -> tuple[str, ...]:
-    """Return the rungs that prove all that the emitted source of a form claims, none otherwise."""
+    """Return the rungs that prove all claims of a form's emitted source, or none if one fails."""
     paper = replace(candidate.subject.paper, quantities=(candidate.quantity,), one_pass=())
     try:
         rows = form_rows(paper)
@@ -269,10 +269,10 @@ def find_offers(
     limit: float,
     report: Callable[[str], None] = lambda text: None,
 ) -> Iterator[tuple[Subject, Offer | WorkerError | str]]:
-    """Yield the offer for each quantity, in processes; a text says why one is not searched.
+    """Yield the offer for each quantity, from processes, or a text why it is not searched.
 
-    Names are those that `find_subjects` takes, which raises ValueError for one that is unknown.
-    What takes longer than `limit` seconds is a `WorkerError`.
+    Names are those that `find_subjects` accepts, which raises ValueError for an unknown one. A
+    search that takes longer than `limit` seconds gives a `WorkerError`.
     """
     subjects = find_subjects(tuple(names), directory)
     found: dict[str, Offer | WorkerError | str] = {
@@ -286,7 +286,7 @@ def find_offers(
 
 
 def _refuse(subject: Subject) -> str:
-    """Say why a quantity is not searched, empty if it is."""
+    """Return why a quantity is not searched, or "" if it is."""
     if not can_be_searched(subject.quantity):
         return "not searched: sums over axes and code by hand are not rewritten"
     if len(subject.quantity.shipped) > 1:

@@ -1,8 +1,8 @@
-"""Measured: what `mechproof measure` finds, as tables, charts and `choose` read it.
+"""Measured: the results of `mechproof measure`, as tables, charts and `choose` read them.
 
-One record is one quantity: its ways of computing, what they lose on sets of points and in cells
-(ranges of argument sizes), the worst input found, and times. A file holds one record as JSON, a
-line for each row, so that two measurements are compared by `diff`; NaN and infinity are text.
+One record is one quantity: its ways of computing, their errors on sets of points and in cells
+(ranges of argument sizes), the worst input found, and times. A file holds one record as JSON, one
+line per row, so that two measurements can be compared with `diff`; NaN and infinity are text.
 
 >>> from mechproof.measured import find_files, read_record
 >>> record = read_record(find_files()["track_wheel.displacement"])
@@ -27,11 +27,11 @@ from mechproof.tools.json_rows import read_fields, write_lines
 
 Kind = Literal["kernel", "form", "source", "peer"]
 Span = tuple[float, float]
-# Arguments of one call: numbers, and tuples of numbers where an argument has axes of its own.
+# Arguments of one call: numbers, and tuples of numbers for arguments with axes of their own.
 Point = tuple[Any, ...]
-# Verdict of a way of which nothing is proved.
+# Verdict of a way about which nothing is proved.
 MEASURED = "MEASURED"
-# The kernel as `mechproof emit c` writes it, measured where a compiler, or a GPU, is found.
+# The kernel as `mechproof emit c` writes it, measured if a compiler, or a GPU, is found.
 IN_C, ON_GPU = "kernel, C", "kernel, GPU"
 # Name of the time for copying the result, measured along with the ways.
 COPY = "memory copy"
@@ -46,13 +46,13 @@ FOLDER, QUICK = "measured", "quick"
 class MeasuredWay:
     """One way of computing a quantity, as it was measured.
 
-    kind: "kernel" (generated, shipped), "form" (a rival form), "source" (the kernel as it is
+    `kind`: "kernel" (generated, shipped), "form" (a rival form), "source" (the kernel as it is
     written for another language) or "peer" (a solver, a library, a simulation, hand-written code).
-    verdict and rung: what is proved of it on `proved_on` (empty: the whole domain); of a source or
-    a peer nothing is, its verdict is MEASURED. bound: what |way -
-    definition| provably stays below, empty without. ordered: it needs samples in order from 0 on.
-    key: the end of its function's name, <quantity>_<key>, empty without a function of its own.
-    needs: the extra that has to be installed for it.
+    `verdict` and `rung`: what is proved about it on `proved_on` ("": the whole domain); nothing is
+    proved about a source or a peer, whose verdict is MEASURED. `bound`: a proved bound of |way -
+    definition|, "" if there is none. `ordered`: it needs samples in order from 0. `key`: the end of
+    its function's name, <quantity>_<key>, "" without a function of its own. `needs`: the extra that
+    must be installed for it.
     """
 
     name: str
@@ -75,9 +75,10 @@ class MeasuredWay:
 class SetErrors:
     """Errors of one way on one set of points.
 
-    nan, infinite, wrong_branch count results; undecided counts points without a known truth,
-    which have no errors (NaN if all are). worst_scaled is in the record's unit of error where the
-    accuracy bound holds, None if it holds nowhere. worst_at is the point of it, of the first way.
+    `nan`, `infinite` and `wrong_branch` count results; `undecided` counts points without a known
+    truth, which have no errors (NaN if all are undecided). `worst_scaled` is in the record's unit
+    of error, at points where the accuracy bound holds; None if it holds at none. `worst_at` is its
+    point, for the first way only.
     """
 
     set: str
@@ -96,7 +97,7 @@ class SetErrors:
 
     @property
     def failed(self) -> int:
-        """Count the results that are lost or on a wrong branch."""
+        """Return the number of results that are lost or on a wrong branch."""
         return self.nan + self.infinite + self.wrong_branch
 
 
@@ -113,7 +114,7 @@ class Cell:
 class CellErrors:
     """Largest absolute error of one way in one cell (its place in the list), and its bound there.
 
-    bound is None for a way without one; lost counts NaN and infinite results.
+    `bound` is None for a way without one; `lost` counts NaN and infinite results.
     """
 
     cell: int
@@ -125,7 +126,7 @@ class CellErrors:
 
 @dataclass(frozen=True)
 class Searched:
-    """The worst input that the search found for a way, of so many tried."""
+    """The worst input that the search found for a way, and the number of inputs tried."""
 
     way: str
     scaled: float
@@ -137,9 +138,9 @@ class Searched:
 class Timing:
     """Nanoseconds per point of one way for calls of `count` points.
 
-    median, and the quartiles of the rounds; `ratio` is the median of (this way : first way)
-    within each round, None if the first way was not timed. A way is not timed where a call would
-    take too long or too much memory.
+    `lower`, `median` and `upper` are the quartiles of the rounds; `ratio` is the median of (this
+    way : first way) within each round, None if the first way was not timed. A way is not timed if a
+    call would take too long or too much memory.
     """
 
     workload: str
@@ -154,10 +155,10 @@ class Timing:
 
 @dataclass(frozen=True)
 class MeasuredTailoring:
-    """A kernel that was tailored to the sizes of one workload and an error asked for.
+    """A kernel that was tailored to the sizes of one workload and to a given error.
 
-    bound: what its error is proved to stay below, for the first argument between `ends`. Its times
-    are among those of the record, under its name.
+    `bound`: its proved bound, for the first argument between `ends`. Its times are among those of
+    the record, under its name.
     """
 
     name: str
@@ -171,7 +172,7 @@ class MeasuredTailoring:
 
 @dataclass(frozen=True)
 class Machine:
-    """Where it was measured: the processor, what NumPy uses of it, and versions."""
+    """The machine of a measurement: the processor, the SIMD that NumPy uses, and versions."""
 
     processor: str
     cores: int | None
@@ -185,11 +186,11 @@ class Machine:
 class Record:
     """All that was measured of one quantity.
 
-    The first of `ways` is the one that is shipped; those that others call are `searched`.
-    `bound` is its accuracy bound in units of eps of `scale`, None and empty without one: scaled
-    errors are then in ulp of the value. `ranges` are the sizes of the arguments that the cells
-    cover. `typical` names the set nearest to usual calls, if one is. `ufuncs` are NumPy's own
-    functions, ns per point; `load` is how busy the machine was.
+    The first of `ways` is the shipped one; those that users call are `searched`. `bound` is its
+    accuracy bound in eps of `scale`, None and "" without one: scaled errors are then in ulp of the
+    value. `ranges` are the sizes of the arguments that the cells cover. `typical` names the set
+    nearest to usual calls, if there is one. `ufuncs` has the times of NumPy's own functions, in ns
+    per point; `load` is how busy the machine was.
     """
 
     quantity: str
@@ -214,14 +215,14 @@ class Record:
 
     @property
     def lacking(self) -> str:
-        """Say which way was not measured: the kernel in C, where there was no compiler."""
+        """Return a note if the kernel in C was not measured, for lack of a compiler."""
         shipped = any(way.kind == "kernel" for way in self.ways)
         in_c = any(way.name == IN_C for way in self.ways)
         return f"Not measured: {IN_C}." if shipped and not in_c else ""
 
     @property
     def error_unit(self) -> str:
-        """Return what scaled errors are in."""
+        """Return the unit of scaled errors."""
         return "ulp of the value" if self.bound is None else f"eps of {self.scale}"
 
     def errors_of(self, way: str) -> tuple[SetErrors, ...]:
@@ -235,7 +236,7 @@ class Record:
 
 
 def round_up(value: float) -> float:
-    """Return the next number of as many digits as errors have that is not smaller in size."""
+    """Round a number away from zero to `ERROR_DIGITS` digits."""
     if not math.isfinite(value):
         return value
     near = round_off(value, ERROR_DIGITS)
@@ -245,12 +246,12 @@ def round_up(value: float) -> float:
 
 
 def round_off(value: float, digits: int = TIME_DIGITS) -> float:
-    """Return the nearest number of so many digits."""
+    """Round a number to the nearest with `digits` significant digits."""
     return float(f"{value:.{digits}g}")
 
 
 def goes_by(quantity: str, name: str) -> bool:
-    """Return whether system.quantity is meant by a name: all of it, the system, or the quantity."""
+    """Return whether a name means system.quantity: all of it, the system, or the quantity."""
     return name in (quantity, *quantity.split(".", 1))
 
 
@@ -266,7 +267,7 @@ def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
 
 
 def find_all_files(generated: Traversable) -> dict[str, Traversable]:
-    """Return the files of what was measured of kernels, quickly if not otherwise, by quantity."""
+    """Return the files of the kernels' records by quantity, quick ones if there are no others."""
     folder = generated.joinpath(FOLDER)
     return {**find_files(folder.joinpath(QUICK)), **find_files(folder)}
 
@@ -279,7 +280,7 @@ def read_records(folder: Traversable) -> list[Record]:
 def read_record(file: Traversable) -> Record:
     """Read one record.
 
-    Raises ValueError, naming the file and the place, for what is not exactly such a record.
+    Raises ValueError, naming the file and the place, for anything but an exact record.
     """
     try:
         found = json.loads(file.read_text(encoding="utf-8"))
@@ -289,9 +290,9 @@ def read_record(file: Traversable) -> Record:
 
 
 def find_known(folder: Path, quantity: str, count: int) -> tuple[Point, ...]:
-    """Return the worst inputs, of so many arguments, of a record; none where there is none.
+    """Return the worst inputs of a quantity's record, of `count` arguments; none without a record.
 
-    Raises ValueError, naming the file, for what is no record or has other arguments.
+    Raises ValueError, naming the file, for an invalid record or one with other arguments.
     """
     file = folder / f"{quantity}{SUFFIX}"
     known = tuple(found.at for found in read_record(file).searched) if file.is_file() else ()

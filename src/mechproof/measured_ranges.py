@@ -11,7 +11,7 @@ Size = float | Sequence[float]
 
 
 def check_ranges(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[float, float]]:
-    """Return the ends of each range; ValueError for what was not measured."""
+    """Return the ends of each range; raises ValueError for sizes that were not measured."""
     pairs = {}
     for name, given in ranges.items():
         known = ", ".join(record.ranges)
@@ -26,7 +26,7 @@ def check_ranges(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[
 
 
 def _as_pair(name: str, given: Size) -> tuple[float, float]:
-    """Return both ends."""
+    """Return both ends of a range; a single number is both, as its absolute value."""
     if not isinstance(given, Sequence):
         return (size := abs(check_number(name, given))), size
     items = check_items(name, given, 2, "must be a size, or two in order")
@@ -51,7 +51,7 @@ def _shares(
 
 
 def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) -> bool:
-    """Say whether they share more than an edge; one size belongs to the cell below an edge."""
+    """Return whether a cell and a range share more than an edge; a size on an edge is below it."""
     (lower, upper), (low, high) = edges, pair
     if low == high:
         return lower < low <= upper or low == lower == least

@@ -1,1 +1,1 @@
-"""Tools: files, caches, processes, and what is installed; they know no formulas."""
+"""Tools: files, caches, processes, and installed packages; they know no formulas."""

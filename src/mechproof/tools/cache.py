@@ -1,8 +1,8 @@
-"""Cache: JSON that is kept in the user's folder for caches, each entry under its key.
+"""Cache: JSON in the user's cache folder, each entry under its key.
 
-A key is the digest of all that an entry rests on: what rests on something else has another key and
-is made anew. So is what is missing, damaged or written by another version. Which files a derivation
-was made from is watched while it is loaded.
+A key is the digest of everything that an entry rests on: an entry that rests on something else has
+another key and is made anew, as are entries that are missing, damaged or written by another
+version. The files that a derivation is made from are noted while it is loaded.
 """
 
 from __future__ import annotations
@@ -32,19 +32,19 @@ MOST_KEYS = 1000
 HERE = Path(__file__).resolve().parents[1]
 STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
-# Modules of libraries or of the package, by name; kept, because there are thousands.
+# Modules of libraries or of the package, by name; cached, because there are thousands.
 _libraries: dict[str, ModuleType] = {}
 # Prefixes of the names of modules of the package and of derivations.
 OWN = ("mechproof", "_mechproof")
-# Folders of papers and of what is generated from them, which concern no other paper.
+# Folders of papers and of the code generated from them, which concern no other paper.
 PAPERS = ("derivations", "kernels")
 _noted: set[str] | None = None
 
 
 def cache_folder() -> Path:
-    """Return MECHPROOF_CACHE, or `mechproof` in the user's folder for caches.
+    """Return MECHPROOF_CACHE, or `mechproof` in the user's cache folder.
 
-    A user without a home has none that can be written.
+    For a user without a home it is a folder that cannot be written.
     """
     if named := os.environ.get(VARIABLE):
         return Path(named)
@@ -60,7 +60,7 @@ def cache_folder() -> Path:
 
 
 def name_place(location: Path) -> str:
-    """Return the name under which a derivation is kept, different for every place."""
+    """Return the name under which a derivation is cached, different for every place."""
     name = sha256(str(location.resolve()).encode("utf-8", "surrogateescape")).hexdigest()
     return f"{location.stem}-{name[:16]}"
 
@@ -74,17 +74,17 @@ def make_key(sources: Iterable[Path], packages: Iterable[str], *parts: str) -> s
 
 @dataclass(frozen=True)
 class Store:
-    """A file of the folder for caches, by its path in there."""
+    """A file in the cache folder, by its path there."""
 
     name: str
 
     @property
     def file(self) -> Path:
-        """Return where the file is, or will be."""
+        """Return the path of the file, which need not exist yet."""
         return cache_folder() / self.name
 
     def read(self) -> dict[str, Any]:
-        """Return what is kept by its key; nothing if the file is missing or damaged."""
+        """Return the entries by key; none if the file is missing or damaged."""
         try:
             entries = json.loads(self.file.read_bytes())
         except (OSError, ValueError):
@@ -92,7 +92,7 @@ class Store:
         return entries if isinstance(entries, dict) else {}
 
     def write(self, entries: Mapping[str, Any]) -> None:
-        """Keep these instead, in one step; a folder that cannot be written is a warning."""
+        """Replace all entries in one step; a folder that cannot be written gives a warning."""
         try:
             write_whole(self.file, json.dumps(entries))
         except OSError as error:
@@ -101,7 +101,7 @@ class Store:
             warnings.warn(said, RuntimeWarning, stacklevel=1)
 
     def add(self, keys: Iterable[str]) -> None:
-        """Keep keys without a value, too: those of what has passed a check."""
+        """Add keys without a value: those of things that have passed a check."""
         self.write(dict.fromkeys(list({**self.read(), **dict.fromkeys(keys)})[-MOST_KEYS:]))
 
 
@@ -116,9 +116,9 @@ sys.addaudithook(_note)
 
 @contextmanager
 def note_reads() -> Iterator[dict[str, str]]:
-    """Note the files opened until the end, and those loaded by then: path -> digest, filled there.
+    """Note files opened in the block, and those loaded by its end: path -> digest, filled then.
 
-    It stays empty where a file was written meanwhile: nobody knows which text was read.
+    It stays empty if one of them was written in the meantime, as it is unknown which text was read.
     """
     global _noted
     _noted, read, start = set(), dict[str, str](), time.time_ns()
@@ -139,7 +139,7 @@ def _find_source(name: str) -> Path:
 def _find_helpers() -> set[Path]:
     """Return the files of loaded modules that belong neither to a library nor to the package.
 
-    A derivation may use them without opening them, where another one did so before.
+    A derivation may use these without opening them, if another one loaded them before.
     """
     others = {n: m for n, m in list(sys.modules.items()) if _libraries.get(n) is not m}
     files = {name: getattr(module, "__file__", None) for name, module in others.items()}
@@ -155,13 +155,13 @@ def _is_own(file: Path) -> bool:
 
 
 def _is_library(name: str) -> bool:
-    """Say whether a file changes only with the version of what is installed."""
+    """Return whether a file changes only with the version of an installed package."""
     file = Path(name)
     return file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
 
 
 def digest_files(paths: Iterable[Path]) -> dict[str, str]:
-    """Return the digest of each file by its path; an empty one if it is not there."""
+    """Return the digest of each file by its path; "" if it does not exist."""
     return {str(path): _digest(path) for path in sorted(paths)}
 
 
@@ -170,7 +170,7 @@ def _digest(path: Path) -> str:
 
 
 def are_unchanged(digests: Mapping[str, str]) -> bool:
-    """Say whether all files are what they were."""
+    """Return whether all files still have their digests."""
     try:
         return digest_files(map(Path, digests)) == digests
     except OSError:
@@ -178,14 +178,14 @@ def are_unchanged(digests: Mapping[str, str]) -> bool:
 
 
 def list_program() -> list[Path]:
-    """List the files of the package, without papers and what is generated from them."""
+    """Return the files of the package, without papers and the code generated from them."""
     files = (path for path in HERE.rglob("*") if path.suffix != ".pyc" and path.is_file())
     return [path for path in files if path.relative_to(HERE).parts[0] not in PAPERS]
 
 
 @cache
 def digest_program() -> str:
-    """Return the digest of the package, of Python and of all that is installed."""
+    """Return the digest of the package, of Python and of all installed packages."""
     installed = sorted({f"{d.name} {d.version}" for d in distributions()})
     parts = [sys.version, *installed, *digest_files(list_program()).values()]
     return sha256("\n".join(parts).encode()).hexdigest()

@@ -1,4 +1,4 @@
-"""Optional dependencies: what is missing, and the command that installs it where one is."""
+"""Optional dependencies: missing packages, and the command that installs them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def tell_install(extra: str) -> str:
 
 
 def tell_missing(what: str, extra: str, *names: str | None) -> str:
-    """Say what is missing for something, and the command that installs it."""
+    """Return a sentence that `what` needs missing packages, with the command that installs them."""
     missing = ", ".join(name or "a package" for name in names)
     return f"{what} needs {missing}, the extra {extra}: {tell_install(extra)}"
 
@@ -30,7 +30,7 @@ def require_modules(what: str, extra: str, modules: Iterable[str]) -> None:
 
 
 def list_other_versions(extra: str) -> list[str]:
-    """Say which packages that an extra pins have another version here, or are not installed."""
+    """Return the packages that an extra pins but that have another version here, or are missing."""
     pinned = re.compile(rf"([\w.-]+)==([\w.]+) *; *extra == .{extra}.")
     found = (pinned.match(line) for line in requires("mechproof") or ())
     wanted = {match[1]: match[2] for match in found if match}
@@ -46,9 +46,9 @@ def _find_version(name: str) -> str:
 
 
 def _find_source() -> str:
-    """Return what pip is given: the folder that was installed, if it is still there, or the name.
+    """Return pip's argument: the folder mechproof was installed from, if it exists, or the name.
 
-    Installers record a folder as `direct_url.json` beside the metadata (PEP 610).
+    Installers record a folder as `direct_url.json` next to the metadata (PEP 610).
     """
     from urllib.request import url2pathname
 

@@ -1,4 +1,4 @@
-"""Files that are written in one step, and modules of files anywhere."""
+"""Files that are written in one step, and modules imported from files anywhere."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from types import ModuleType
 def write_whole(target: Path, text: str) -> None:
     """Write a file and the folders above it; an interrupted write leaves the old file.
 
-    Anything else that is there, such as a pipe or a terminal, is written to and not replaced.
+    If something else exists there, such as a pipe or a terminal, it is written to and not replaced.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
     if target.exists() and not target.is_file():
@@ -27,7 +27,7 @@ def write_whole(target: Path, text: str) -> None:
 
 
 def import_file(name: str, file: Path) -> ModuleType:
-    """Run a file of Python as a module of this name, which nothing has yet."""
+    """Run a Python file as a new module with the given name."""
     spec = spec_from_file_location(name, file)
     assert spec is not None
     assert spec.loader is not None

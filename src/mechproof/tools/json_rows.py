@@ -1,8 +1,8 @@
-"""Records as JSON with a line for each row: any dataclass of plain values and of tables of others.
+"""Records as JSON with a line per row: any dataclass of plain values and of tables of others.
 
 A table, a tuple of dataclasses, is written once as the names of its columns and then row by row,
-so that two files are compared by `diff`. NaN and infinity, which JSON has not, are text. Reading
-takes exactly what is written: everything else is an error that names its place.
+so that two files can be compared with `diff`. NaN and infinity, which JSON lacks, are text. Reading
+accepts exactly what is written: everything else is an error that names its place.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ R = TypeVar("R")
 
 
 def write_lines(record: object) -> Iterator[str]:
-    """Write every field of a dataclass on a line, of a table every row."""
+    """Yield the lines of a dataclass's JSON: one for each field, in tables one for each row."""
     kind: type = type(record)
     kinds = _kinds_of(kind)
     last = list(kinds)[-1]
@@ -49,7 +49,7 @@ def _dump(value: Any) -> str:
 
 
 def _as_json(value: Any) -> Any:
-    """Turn records into objects, and NaN and infinity, which JSON has not, into text."""
+    """Turn records into objects, and NaN and infinity, which JSON lacks, into text."""
     if is_dataclass(value):
         return {f.name: _as_json(getattr(value, f.name)) for f in fields(value)}
     if isinstance(value, Mapping):
@@ -67,7 +67,7 @@ def _kinds_of(record: type) -> dict[str, Any]:
 
 
 def _row_kind(kind: Any) -> type | None:
-    """Return the record that a field is a table of."""
+    """Return the dataclass that a field is a table of, or None if it is no table."""
     first = next(iter(get_args(kind)), None)
     is_table = get_origin(kind) is tuple and isinstance(first, type) and is_dataclass(first)
     return first if is_table else None
