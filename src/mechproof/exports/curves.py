@@ -1,9 +1,9 @@
-"""Pitch curves in mm: in, a mechanism at an angle of its carrier; out, wheels in CAD formats.
+"""Pitch curves in mm: from a mechanism at an angle of its carrier to wheels in CAD formats.
 
-DXF and SVG have true circles and ellipses, and ovals as closed lines. Numbers in CSV, those of the
-motion included, read back exactly. Teeth are cut by ncgears, a young library (alpha) of its own: it
-generates outlines, checks the pair for interference and for errors of the motion, and refuses what
-it cannot cut. What it makes is its own result; nothing of it is proved here.
+DXF and SVG have true circles and ellipses, and ovals as closed lines. Numbers in CSV, including
+those of the motion, read back exactly. Teeth are cut by ncgears, a separate young library (alpha):
+it generates outlines, checks the pair for interference and for errors of the motion, and refuses
+pairs it cannot cut. Its results are its own; nothing about them is proved here.
 """
 
 from __future__ import annotations
@@ -226,16 +226,16 @@ def cut_teeth(
     Parameters
     ----------
     mechanism : EllipticPlanetary or OvalPlanetary
-        Whose wheels; each turns once while the other does.
+        The mechanism of the wheels; each turns once while the other does.
     teeth : int
         Number of teeth of each wheel, at least 3; the module follows: pi*module*teeth is the
         perimeter of the pitch curve.
     folder : path
-        Where ncgears writes its files.
+        The folder for the files of ncgears.
     a : float, optional
         As for `export`.
     options
-        Further arguments of `ncgears.generate`, such as `pressure_angle_deg` or `clearance`.
+        Other arguments of `ncgears.generate`, such as `pressure_angle_deg` or `clearance`.
 
     Returns
     -------
@@ -245,11 +245,11 @@ def cut_teeth(
     Raises
     ------
     TypeError, ValueError
-        For what is not allowed; the message names it.
+        If an argument is invalid; the message names it.
     ImportError
         Without ncgears or SymPy.
     ncgears.GenerationError
-        What ncgears cannot cut, such as wheels of great eccentricity with few teeth.
+        If ncgears cannot cut the wheels, as for great eccentricity with few teeth.
 
     """
     require_modules("cut_teeth", "cad", ("ncgears", "sympy"))

@@ -1,4 +1,4 @@
-"""Export: in, a mechanism and a file name; out, the file, in the format given by its suffix."""
+"""Export: from a mechanism and a file name to the file, in the format given by its suffix."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FRAMES, PER_SECOND, SIZE, DOTS = 60, 20, 85.0, 100
 
 
 def animate(mechanism: Planetary, file: Path, phi1: float) -> None:
-    """Animate one turn of the carrier from `phi1` on. Raises ImportError without matplotlib."""
+    """Animate one turn of the carrier from `phi1`. Raises ImportError without matplotlib."""
     with use_style({"figure.dpi": DOTS}):
         canvas = make_canvas(SIZE, SIZE)
         from matplotlib.animation import FuncAnimation, PillowWriter

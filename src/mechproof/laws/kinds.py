@@ -299,7 +299,7 @@ def check_law(name: str, law: Any, *kinds: type) -> None:
 
 
 def list_parameters(law: Law) -> list[Array]:
-    """List the parameters of the law in the order of its constructor."""
+    """Return the parameters of the law in the order of its constructor."""
     return [np.asarray(getattr(law, field.name), dtype=float) for field in fields(law)]
 
 
@@ -311,7 +311,7 @@ def select(law: Law, shape: tuple[int, ...], index: Any) -> Law:
 
 
 def find_centre(law: Law) -> Array:
-    """Find a point where the law has its mass, or within a width of it."""
+    """Return a point where the law has its mass, or within a width of it."""
     if isinstance(law, Uniform):
         return np.asarray(law.lower) / 2 + np.asarray(law.upper) / 2
     if isinstance(law, Normal):

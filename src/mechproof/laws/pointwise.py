@@ -1,7 +1,7 @@
-"""Array versions of the operations that compiled code does on numbers.
+"""Array versions of the operations that compiled code applies to numbers.
 
-A formula written with these and NumPy's elementwise functions takes arrays. Compiled code takes the
-same formula with numbers, and has its own functions in place of these.
+A formula written with these and NumPy's elementwise functions accepts arrays. Compiled code runs
+the same formula with numbers, and has its own functions in place of these.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 
 def choose(condition: Any, value: Any, otherwise: Any) -> Any:
-    """Return the value where the condition holds."""
+    """Return `value` where the condition holds, and `otherwise` elsewhere."""
     return np.where(condition, value, otherwise)
 
 
@@ -37,7 +37,7 @@ def normal_tail(z: Any) -> Any:
 def compute_where(
     condition: Any, function: Callable[..., Any], arguments: tuple[Any, ...], otherwise: Any
 ) -> Any:
-    """Return a function of flat arguments where the condition holds."""
+    """Return a function of flat arguments where the condition holds, and `otherwise` elsewhere."""
     if not np.any(condition):
         return otherwise
     values = np.array(np.broadcast_to(otherwise, np.shape(condition)))

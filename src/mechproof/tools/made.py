@@ -1,7 +1,8 @@
-"""Folders of files that are made: a list of their digests says which may be replaced or removed.
+"""Folders of made files: a list of their digests says which may be replaced or removed.
 
-The list is what `sha256sum` writes, so that `sha256sum --check` reads it. While files are replaced
-it has the old and the new digest of each: whatever ends a run, the next one knows what it left.
+The list is in the format of `sha256sum`, so that `sha256sum --check` reads it. While files are
+replaced, it has the old and the new digest of each: however a run ends, the next one knows what it
+left.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ _LINE = re.compile("([0-9a-f]{64})  (.+)")
 
 
 class ForeignFileError(RuntimeError):
-    """Files that were not made, or were edited since, lie where others are to be written."""
+    """Files that were not made, or were edited since, are in the way of files to be written."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Change:
         return self.wanted is None
 
     def describe(self) -> str:
-        """Return what is wrong and a unified diff from the file to what it should be."""
+        """Return what is wrong, and a unified diff from the file to what it should be."""
         what = "missing" if self.present is None else "surplus" if self.is_removal else "different"
         edited = "" if self.is_own else " (edited, or not made by mechproof)"
         lines = difflib.unified_diff(
@@ -57,7 +58,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Made:
-    """The made files of a folder, as the file `listed` in it lists them."""
+    """The made files of a folder, as listed in its file `listed`."""
 
     folder: Path
     listed: str
@@ -65,8 +66,8 @@ class Made:
     def compare(self, files: Mapping[str, str]) -> list[Change]:
         """Return the missing, surplus and different files, in the order of their names.
 
-        Surplus is what was made, and has not been edited since. Raises `ForeignFileError` if the
-        list is none.
+        A surplus file was made and has not been edited since. Raises `ForeignFileError` if the list
+        is invalid.
         """
         known = self.read_list()
         wanted = {**files, self.listed: _write_list(_list_pairs(files))}
@@ -89,9 +90,9 @@ class Made:
     def update(self, files: Mapping[str, str], *, and_remove: bool = True) -> list[Change]:
         """Bring the files to what they should be, and return what was changed.
 
-        Without `and_remove` other made files stay, and stay listed. An interrupted write leaves
-        every file as it was before or whole. Raises `ForeignFileError`, before anything is written,
-        naming what lies in the way.
+        Without `and_remove`, other made files stay, and stay listed. An interrupted write leaves
+        every file either as it was before or complete. Raises `ForeignFileError`, before anything
+        is written, naming the files in the way.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         with _hold(self.folder):
@@ -146,7 +147,7 @@ class Made:
                 (self.folder / above).rmdir()
 
     def read_list(self) -> frozenset[tuple[str, str]]:
-        """Return the pairs (digest, name) of the list, none where there is no list.
+        """Return the pairs (digest, name) of the list, or none if there is no list.
 
         Raises `ForeignFileError` for a file of that name that is no list.
         """
@@ -188,7 +189,7 @@ def _write_file(file: Path, text: str) -> None:
 
 @contextmanager
 def _stage(folder: Path) -> Iterator[Path]:
-    """Yield an empty folder in another, which goes afterwards; a killed run's goes first."""
+    """Yield an empty subfolder, removed afterwards; one left by a killed run is removed first."""
     staged = folder / STAGED
     shutil.rmtree(staged, ignore_errors=True)
     try:
@@ -200,7 +201,7 @@ def _stage(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def _hold(folder: Path) -> Iterator[None]:
-    """Lock a folder, so that one process at a time writes to it; a dead one lets go of it."""
+    """Lock a folder, so that one process at a time writes to it; a dead process releases it."""
     try:
         from fcntl import LOCK_EX, flock
     except ImportError:  # Windows opens no folders; there the last one that writes wins.

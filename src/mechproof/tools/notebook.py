@@ -1,4 +1,4 @@
-"""Notebooks: papers, their ledgers, rows and mechanisms show themselves there as in a report."""
+"""Notebooks: papers, their ledgers, rows and mechanisms are displayed there as in a report."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ def _show_nothing(shown: object) -> str | None:
 
 
 class Displayed:
-    """What a notebook shows as a piece of a report; as text without the `derive` extra.
+    """An object that notebooks show as a piece of a report, or as text without the `derive` extra.
 
-    The package, which knows the report, says how: what is shown does not.
+    The package, which knows the report, sets how it is shown; the object itself does not know.
     """
 
     __slots__ = ()

@@ -1,7 +1,7 @@
-"""Processes are started here alone, and none outlives its parent.
+"""All processes are started here, and none outlives its parent.
 
-Tasks are watched over: what hangs or dies is an error here, never a result. Tasks that are trusted
-to end get an executor, and `executors` spreads them.
+Tasks are watched over: one that hangs or dies gives an error, never a result. Tasks that are
+trusted to end get an executor, and `executors` spreads them.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar
 
-# A forked process has what is loaded before; elsewhere than on Linux a fork is not safe.
+# A forked process has everything loaded before; outside Linux a fork is not safe.
 START = "fork" if sys.platform == "linux" else "spawn"
 _SET_PARENT_DEATH_SIGNAL = 1
-# Signals that ask a process to end, where the system has them.
+# Signals that ask a process to end, if the system has them.
 ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-# Number of tasks that a process gets at once while further ones are being made.
+# Number of tasks that a process gets at once while others are still being made.
 AHEAD = 128
 
 Task = TypeVar("Task")
@@ -37,12 +37,12 @@ Result = TypeVar("Result")
 
 
 class WorkerError(RuntimeError):
-    """A task raised, ran too long, or its process died."""
+    """A task raised an exception, ran too long, or its process died."""
 
 
 @dataclass
 class _Worker(Generic[Task, Result]):
-    """A process and the numbers of the tasks it has, in their order; `knows` batches of them."""
+    """A process and its numbered tasks, in order; it has what the first `knows` batches need."""
 
     process: BaseProcess
     pipe: Connection
@@ -52,7 +52,7 @@ class _Worker(Generic[Task, Result]):
     is_lost: bool = False
 
     def give(self, number: int, task: Task, limit: float) -> None:
-        """Send a task; the time of the first runs from now."""
+        """Send a task; for the first, the time limit starts now."""
         if not self.has:
             self.deadline = time.monotonic() + limit
         self.has.append((number, task))
@@ -81,7 +81,7 @@ class _Worker(Generic[Task, Result]):
         return result
 
     def end(self) -> None:
-        """End the process, whatever it does."""
+        """End the process, whatever it is doing."""
         self.process.kill()
         self.process.join()
         self.pipe.close()
@@ -105,9 +105,9 @@ def run_tasks(
 ) -> Iterator[tuple[int, Result | WorkerError]]:
     """Yield (number of the task, result) as results come.
 
-    `function` is one of a module. The result of a task that raises, that takes longer than
-    `limit` seconds or whose process dies is a `WorkerError`; the others are not held up by it.
-    No process is left behind.
+    `function` must be a module-level function. The result of a task that raises, that takes longer
+    than `limit` seconds or whose process dies is a `WorkerError`; other tasks are not held up by
+    it. No process is left behind.
     """
     return run_batches(function, [lambda: tasks], limit=limit, processes=processes, start=start)
 
@@ -120,10 +120,10 @@ def run_batches(
     processes: int | None = None,
     start: str = START,
 ) -> Iterator[tuple[int, Result | WorkerError]]:
-    """Run batches of tasks as `run_tasks` does, each while the next is still being made here.
+    """Run batches of tasks like `run_tasks`, each while the next is still being made here.
 
-    A batch is done by processes that were started after it had been made, so that a forked one
-    finds all that was loaded for it.
+    A batch is done by processes that were started after it had been made, so that a forked one has
+    everything that was loaded for it.
     """
     pool = _Pool(function, limit, start)
     count = processes or count_processors()
@@ -152,7 +152,7 @@ def start_executor(processes: int) -> Iterator[Executor | None]:
 
 
 class _Pool(Generic[Task, Result]):
-    """The tasks that wait and the processes at work on others."""
+    """The waiting tasks and the processes at work on others."""
 
     def __init__(self, function: Callable[[Task], Result], limit: float, start: str) -> None:
         self.function, self.limit, self.start = function, limit, start
@@ -162,7 +162,7 @@ class _Pool(Generic[Task, Result]):
         self.ends: list[int] = []
 
     def add(self, batch: Sequence[Task]) -> None:
-        """Append a batch to what waits."""
+        """Append a batch to the waiting tasks."""
         first = self.ends[-1] if self.ends else 0
         self.waiting.extend(enumerate(batch, start=first))
         self.ends.append(first + len(batch))
@@ -180,7 +180,7 @@ class _Pool(Generic[Task, Result]):
         return bool(self.workers)
 
     def _can_go_on(self, worker: _Worker[Task, Result]) -> bool:
-        """Return whether the next task is of a batch that was there when a process started."""
+        """Return whether the next task is of a batch that existed when the process started."""
         knows = self.ends[worker.knows - 1]
         return bool(self.waiting) and not worker.is_lost and self.waiting[0][0] < knows
 
@@ -189,7 +189,7 @@ class _Pool(Generic[Task, Result]):
             worker.give(*self.waiting.popleft(), self.limit)
 
     def take_ready(self, seconds: float | None) -> Iterator[tuple[int, Result | WorkerError]]:
-        """Yield the answers there are after so many seconds; without a number, wait for one."""
+        """Yield the answers available within some seconds; if None, wait for one."""
         for worker in self._wait(seconds):
             yield worker.take(self.limit)
             while worker.has and not worker.is_lost and worker.pipe.poll():
@@ -200,7 +200,7 @@ class _Pool(Generic[Task, Result]):
 
     def _wait(self, seconds: float | None) -> list[_Worker[Task, Result]]:
         """Return the processes that have answered; if none does in time, those that are late."""
-        # A process may be without a task, because another one has it: it has nothing to answer.
+        # A process without a task, because another one has it, has nothing to answer.
         busy = [worker for worker in self.workers if worker.has]
         first = min((worker.deadline for worker in busy), default=0.0)
         until_late = max(0.0, first - time.monotonic())
@@ -233,7 +233,7 @@ class _Pool(Generic[Task, Result]):
 
 
 def _serve(function: Callable[[Task], Result], pipe: Connection) -> None:
-    """Answer tasks until the parent ends this process, or is ended itself."""
+    """Answer tasks until the parent ends this process, or has itself ended."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     end_with_parent()
     # Memory shared with the parent stays shared only while the garbage collector leaves it alone.
@@ -243,10 +243,10 @@ def _serve(function: Callable[[Task], Result], pipe: Connection) -> None:
 
 
 def end_with_parent() -> None:
-    """End this process when its parent is gone, whatever ended that and whatever is done here.
+    """End this process when its parent is gone, however that ended and whatever is running here.
 
-    A thread waits for the parent. It does not come to run while a library computes for long
-    without Python; there Linux ends the process.
+    A thread waits for the parent. It does not get to run while a library computes for long outside
+    Python; in that case Linux ends the process.
     """
     for number in ENDING:
         # Handlers with which the parent tidies up are not for this process.
@@ -273,9 +273,9 @@ def _answer(function: Callable[[Task], Result], task: Task) -> tuple[bool, Resul
 
 @contextmanager
 def limit_time(seconds: float) -> Iterator[None]:
-    """End what runs longer in the main thread; raises `TimeoutError`.
+    """Stop the block after some seconds in the main thread; raises `TimeoutError`.
 
-    A call of a library that returns late is ended late.
+    A library call that returns late is stopped late.
     """
     main, late = threading.main_thread(), threading.Event()
 
@@ -293,7 +293,7 @@ def limit_time(seconds: float) -> Iterator[None]:
     if threading.current_thread() is not main:
         yield
         return
-    # Interrupts by the user may be ignored, as in the background; that of the timer must not be.
+    # Interrupts by the user may be ignored, as in the background; the timer's must not be.
     before = signal.signal(signal.SIGINT, interrupt)
     timer = threading.Timer(seconds, stop)
     timer.start()
