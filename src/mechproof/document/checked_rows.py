@@ -101,7 +101,7 @@ def list_standing(
 ) -> list[list[str]]:
     """Return the members that a print is compared with, in groups that agree among themselves.
 
-    If one group is larger than the others, only that group is returned.
+    Only the largest groups are returned, each with the other cases that are printed.
     """
     first = task.sign.first
     groups = [[first]]

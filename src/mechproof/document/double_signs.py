@@ -1,8 +1,8 @@
 r"""Prints that say two things: with a double sign, or of plane vectors as complex numbers.
 
 a\mathrm{e}^{j\varphi} stands for two equations, of real and imaginary parts: all letters are real
-except those to which an earlier equation gives a complex value. A chain said to follow from others
-defines no letter at its first sign, nor does a print with a double sign.
+except those to which an earlier equation gives a complex value. An equation said to follow from
+others defines no letter unless it is a chain, and a print with a double sign defines none.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ _NAMES = ("real part", "imaginary part")
 
 
 def find_following(name: str, read: Print, known: Known) -> list[Sign]:
-    """Return the signs of an equation that follows from others, with definitions as constraints.
+    """Return the signs of an equation said to follow from others, with definitions as constraints.
 
-    In a chain that defines a letter, the further members are compared with the first, as elsewhere.
+    If a chain defines a letter, it does so here, too: only its further members follow.
     """
     signs = find_roles(name, read, known.copy())
     if len(signs) > 1 and signs[0].role is Role.DEFINITION:
@@ -57,7 +57,7 @@ def find_double_signs(
 ) -> list[Sign]:
     """Return the signs of a print with a double sign.
 
-    Raises `ReadingError` if both or either of the signs could define a letter.
+    Raises `ReadingError` if such a print would define a letter.
     """
     own = known.copy()
     signs = find_roles(printed.name, read, own)

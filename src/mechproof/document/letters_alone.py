@@ -92,7 +92,7 @@ def find_role_of_letter(one: LetterAlone, known: Known) -> Sign:
 
 
 def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
-    """Return the sign of a letter without a value; None if the print defines it by itself."""
+    """Return the sign of a letter without a value; None if its value contains it."""
     if _is_special(one, known):
         return one.to_sign(Role.CONSTRAINT)
     if known.follows_from_constraints(one.symbol, one.value):

@@ -49,7 +49,7 @@ class ChangedSides:
 
     @property
     def reason(self) -> str:
-        """Return the reason that names the misprinted part and what was meant."""
+        """Return the reason, which names the misprinted part and the part meant."""
         where = f"{WITHIN}{self.within}" if self.within else ""
         return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
 

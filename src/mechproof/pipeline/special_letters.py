@@ -1,4 +1,4 @@
-r"""Prints that may be no letters in a single equation: e^x, \frac{d}{dx}, 1+j, \Gamma(x), or f.
+r"""Prints that may be no letter in a single equation: e^x, \frac{d}{dx}, 1+j, \Gamma(x), f(x).
 
 A letter may be declared a function, as in f(x)=x^2, or be an arbitrary one. The argument in
 brackets after it replaces its variable.

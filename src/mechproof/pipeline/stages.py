@@ -66,7 +66,7 @@ PASSED = Store("validated.json")
 
 @dataclass(frozen=True)
 class Regenerated:
-    """The text of every file of the package by its name, and the changes to existing files."""
+    """The text of every file of the package by its name, and the changes made or to be made."""
 
     files: Mapping[str, str]
     changes: tuple[Change, ...]
@@ -151,7 +151,7 @@ def measure(
     processes: int = 1,
     progress: Progress = tell_nobody,
 ) -> Iterator[tuple[Path, str]]:
-    """Measure how inaccurate and slow the ways of computing quantities are.
+    """Measure the errors and times of the ways of computing quantities.
 
     `names` are quantities, systems or system.quantity, or all quantities if empty; they are sought
     in the folder `derivations`, or without one in those of the package. Accuracy is measured in

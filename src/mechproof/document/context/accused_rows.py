@@ -199,7 +199,7 @@ def _list_moving(task: Task) -> set[sp.Basic]:
 
 
 def doubt_by_proved(at: Judging) -> Changes:
-    """Leave open a row that is false given constraints that prove others, and has a one-part slip.
+    """Leave open a row that one slip makes false, given constraints from which others follow.
 
     Several such rows hide one another, so rows from which nothing follows are not used as
     constraints. A row from which others follow counts as a slip only given earlier constraints that

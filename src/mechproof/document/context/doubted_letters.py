@@ -3,7 +3,7 @@
 A row that is true or false whatever those letters are does not rest on their definitions. A row
 that may not belong to a worked example is not proved or refuted by the values printed there, as
 words do not always show where an example ends. Undeclared letters that may be matrices are read
-as numbers, which commute and have 1/x as their only inverse.
+as numbers, which commute and have no inverse but 1/x, so that rows with them are left open.
 """
 
 from __future__ import annotations

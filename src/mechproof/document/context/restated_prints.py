@@ -167,7 +167,7 @@ def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Ta
 
 
 def judge_rate(tasks: Sequence[Task], number: int) -> Judgement | None:
-    """Judge a derivative by its letter's print; None if only the sense of counting differs."""
+    """Return a derivative's refutation by its letter's print; None if it agrees up to its sign."""
     task = tasks[number]
     found, says = judge(task.row, task.paper), task.row.says
     if found.verdict is not Verdict.REFUTED or not isinstance(says, Equality):

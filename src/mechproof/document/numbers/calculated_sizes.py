@@ -1,8 +1,8 @@
 r"""Calculations with units, `\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}`: worked out, in SI.
 
 A member with units and without letters is the size that it evaluates to. When it is compared with
-a number or another calculation, rounded decimals make it a range. Calculations whose sizes the
-block declares are exact, as is a member exactly equal to an exact one before it.
+a number or another calculation, rounded decimals make it a range. Sizes that the block declares are
+exact, as is a member exactly equal to an exact one before it.
 """
 
 from __future__ import annotations

@@ -68,9 +68,9 @@ def _list_units(own: sp.Basic | None, unit: Unit, symbols: Symbols) -> Iterator[
 def _list_turns(
     unit: Unit, others: Sequence[Unit], own: sp.Basic | None, symbols: Symbols
 ) -> list[sp.Expr]:
-    """Return the other factor between units if turns are counted: 1/s may be 2 pi rad/s.
+    """Return the extra factors between units if turns are counted: 1/s may be 2 pi rad/s.
 
-    None for an angular velocity that is declared in rad/s, as 1/s then means the same.
+    There is none for an angular velocity declared in rad/s, as 1/s then means the same.
     """
     counted = [one.scale == REVOLUTIONS for one in (unit, *others)]
     dimension = symbols.find_dimension(own) if own is not None else None
@@ -130,7 +130,7 @@ def round_irrational(sign: Sign) -> PrintedNumber | str | None:
 
 
 def judge_factor(task: Task) -> Judgement | str:
-    """Judge the only decimal of an equation, a factor, if both sides agree but for a number.
+    """Judge the only decimal of an equation, a factor, if the sides agree up to a number.
 
     A wrong rounding is not refuted if other numbers may have been rounded, too: another decimal, or
     one in the definition of a letter.

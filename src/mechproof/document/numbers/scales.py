@@ -180,7 +180,7 @@ class Scales:
         return list(dict.fromkeys(values))
 
     def _are_counted(self, letters: Iterable[sp.Basic | None]) -> bool:
-        """Return whether all revolving letters, of which there are some, count by their names."""
+        """Return whether there are revolving letters and all count revolutions by their names."""
         revolving = self.revolving.intersection(letters)
         return bool(revolving) and all(_COUNTED.match(str(s)) for s in revolving)
 

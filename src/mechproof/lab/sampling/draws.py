@@ -25,7 +25,7 @@ SIGNS, THIRDS, SPREADS = np.array([-1.0, 1.0]), np.array([-1.0, 0.0, 1.0]), np.a
 
 
 def draw_inside(facts: Facts, rng: Rng, count: int, draw: Draw) -> Columns:
-    """Draw until `count` points lie in the domain, or no longer if at first none do."""
+    """Draw in batches until `count` points lie in the domain; stop early if none do."""
     kept: list[Columns] = []
     found = 0
     for batch in range(BATCHES):

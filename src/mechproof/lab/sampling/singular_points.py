@@ -233,7 +233,7 @@ def _make_tiny(facts: Facts, rng: Rng) -> Arguments:
 def _draw_tiny(facts: Facts, rng: Rng, count: int) -> Columns:
     """Draw arguments that may vanish by the logarithm of their size, each at half of the points.
 
-    An only argument is bounded by nothing but the range of doubles.
+    The sole argument of a quantity is bounded only by the range of doubles.
     """
     columns = dict(draw_mixed(facts, rng, count))
     largest = HUGEST if len(facts.arguments) == 1 else 1.0
