@@ -48,7 +48,7 @@ class Known:
     letters said to be zero after it. `said` is the announcement in the text before the current
     equation. `examples` holds, by example and equation, the values that hold in a worked example
     only, None for letters printed anew there; `shown_in` maps letters to the examples they occur
-    in, 0 for outside of any.
+    in, 0 outside of any.
     """
 
     symbols: Symbols

@@ -54,7 +54,7 @@ def refuse_units(read: Print) -> None:
 
 
 def refuse_powers_of_zero(read: Print) -> None:
-    """Refuse r^0 of a letter: nobody prints 1 that way, but a frame as an upper index."""
+    """Refuse r^0 of a letter: nobody prints 1 that way, but an upper index may name a frame."""
     for node in (node for node in tree.walk(read.chains) if isinstance(node, tree.Power)):
         if isinstance(node.base, tree.Letter) and node.exponent == tree.Number("0"):
             printed = read.source.latex[node.start : node.end]

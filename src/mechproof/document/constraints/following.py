@@ -60,7 +60,7 @@ def _weigh(answer: Judgement | str) -> int:
 
 
 def list_entries(task: Task, letters: Collection[sp.Basic | None]) -> list[Task]:
-    """Return the entries of a row, in which `letters` stand as printed, whatever defines them.
+    """Return the entries of a row, with `letters` kept as printed, whatever defines them.
 
     Entries that contain a matrix symbol are left out. A row that is not an equation has none.
     """

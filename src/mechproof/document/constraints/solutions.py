@@ -98,7 +98,7 @@ def are_exchanged(task: Task) -> bool:
 
 
 def judge_angles(task: Task) -> Judgement | None:
-    """Judge two angles that are not equal by their directions; None if the directions differ."""
+    """Judge two unequal angles by their directions; None if these differ."""
     says, domain = task.row.says, Domain.of(task.paper, task.row.on)
     if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
         return None

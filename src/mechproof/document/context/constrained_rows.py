@@ -101,7 +101,7 @@ def list_following(number: int, at: Judging) -> Iterator[int]:
 
 
 def _list_alike(task: Task, given: Sequence[Task]) -> str:
-    """Return the names of constraints that have all letters of a constraint; "" for other rows."""
+    """Return the names of the constraints if they have all letters of another, else ""."""
     letters = {letter for one in given for letter in list_letters(one)}
     is_printed = task.sign.role is Role.CONSTRAINT and not task.sign.is_tied
     is_bound = is_printed and list_letters(task) <= letters
@@ -183,8 +183,8 @@ def _may_solve(given: int, number: int, tasks: Sequence[Task]) -> bool:
 def doubt_by_premises(at: Judging) -> Changes:
     """Leave open what follows only from a refuted row, or only from contested rows.
 
-    One of several rows that contradict each other may be right, provided that the rows it
-    contradicts do not define a letter of it or of what follows.
+    One of several rows that contradict each other may be right: a row stays proved if it also
+    follows with one of them, without the definitions that this one contradicts.
     """
     tasks, rows = at.tasks, at.rows
     bound = [n for n, task in enumerate(tasks) if binds(task)]

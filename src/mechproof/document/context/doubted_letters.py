@@ -131,7 +131,10 @@ def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:
 
 
 def doubt_by_examples(at: Judging) -> Changes:
-    """Leave open refuted or differing rows that hold, or in an example may hold, at its values."""
+    """Leave open refuted or differing rows that hold at the values of an example.
+
+    Within the example, so are rows that may hold at its values.
+    """
     asked = [(n, "local") for n, task in enumerate(at.tasks) if _may_be_local(task, at.rows[n])]
     for (n, _), answer in at.ask(judge_special, asked):
         task = at.tasks[n]
@@ -171,7 +174,7 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
 
 
 def doubt_by_rounded(at: Judging) -> Changes:
-    """Leave open a refuted matrix that differs little from one with rounded decimals."""
+    """Leave open a refuted matrix if rounded decimals in definitions may explain the difference."""
     rounded = [one for one in at.tasks if one.is_rounded or one.sign.is_calculated]
     for n, task in enumerate(at.tasks):
         if at.rows[n].outcome != Verdict.REFUTED.value or not rounded:

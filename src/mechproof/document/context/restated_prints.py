@@ -6,8 +6,8 @@ the display's other derivatives, of letters printed next to that one, and the le
 derivatives after words of a consequence. A derivative with all signs reversed may count in the
 other sense: it is left open.
 
-In a closed loop the definition of a position may need an angle that has no table, and no velocity
-shows; what follows from both gives the position by the crank angle alone.
+In a closed loop the definition of a position may need an angle that is in no table and in no
+velocity; what follows from both gives the position by the crank angle alone.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@ r"""Draft lines from sentences: values and sizes of letters, and which equations
 
 Sentences about largest and smallest values are proposed as rows: "The largest value of $x$ is
 $r+l$", "$x$ reaches a maximum of $r+l$ at $\varphi=0$", or, after the display of a letter, "It
-reaches a maximum of $r+l$ at $\varphi=0$". A display x_{\max}=r+l leads to a question whether it
-is meant that way.
+reaches a maximum of $r+l$ at $\varphi=0$". A display x_{\max}=r+l leads to a question about
+whether it is meant that way.
 """
 
 from __future__ import annotations
@@ -177,7 +177,7 @@ def _is_position(value: str, letters: Sequence[str]) -> bool:
 
 
 def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[str]:
-    """Yield questions whether a display follows from the equations that its lead-in refers to."""
+    """Ask whether displays follow from the equations that the words before them refer to."""
     names: dict[str, dict[str, None]] = {}
     for one in displays:
         for label in (*one.labels, one.name, one.name.partition(",")[0]):

@@ -34,8 +34,8 @@ _OPEN = "the two sides differ, but a decimal may have been rounded"
 def convert(sign: Sign, symbols: Symbols) -> PrintedNumber | str:
     """State that a number with a unit is the same in another unit, or in that of a letter.
 
-    Either of the two may be rounded. Returns the reason if the units do not fit or nothing is
-    shown.
+    Either of the two may be rounded. Returns a reason instead if the units do not fit, or if
+    rounding explains a difference.
     """
     own, digits, unit = sign.own, sign.given[0], read_unit(sign.given[1])
     meant = [read_unit(sign.unit)] if sign.unit else [*_list_units(own, unit, symbols)]
@@ -84,7 +84,7 @@ def _list_turns(
 
 
 def tell_misfit(sign: Sign, symbols: Symbols) -> str:
-    """Return the reason that a letter's printed unit has not its dimension, or ""."""
+    """Return why the unit printed for a letter does not fit its dimension, or "" if it does."""
     own = symbols.find_dimension(sign.letter) if sign.letter is not None else None
     if not sign.unit or own is None or read_unit(sign.unit).dimension == own:
         return ""
@@ -116,7 +116,7 @@ def differs_by_unit(value: sp.Expr, number: Numeral) -> bool:
 
 
 def round_irrational(sign: Sign) -> PrintedNumber | str | None:
-    """State that a number is a rounded irrational one; None if it has too few digits.
+    """State that a whole number is a rounded irrational one; None if it is not shown to be.
 
     Zeros at its end may not be significant. Returns the reason if only they explain the difference.
     """
