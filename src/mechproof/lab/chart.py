@@ -283,7 +283,7 @@ def pick_marks(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
 
 
 def write_summary(records: Sequence[Record]) -> str:
-    """Return for how many quantities the shipped kernel is most accurate, and on the front."""
+    """Return for how many quantities the shipped kernel is most accurate, and is on the front."""
     found = [collect_first(record) for record in records]
     best = sum(m[0].has_digits and m[0].height == min(x.height for x in m) for m in found)
     front = sum(any(_is_as_shipped(m, marks[0]) for m in find_front(marks)) for marks in found)

@@ -253,7 +253,7 @@ def _list_times(record: Record, workload: str) -> Iterator[str]:
 
 
 def _time(row: Timing | None) -> str:
-    """Return median and ratio; a way that was too slow for a size is not timed."""
+    """Return median and ratio as text, or "not timed" for a way too slow for the size."""
     if row is None:
         return "not timed"
     return f"{row.median:.3g}" + (f" ({row.ratio:.3g})" if row.ratio else "")

@@ -64,7 +64,7 @@ def list_differentials(prints: Iterable[str]) -> set[str]:
     r"""Return the letters after a d, by which something is differentiated or integrated.
 
     Those in numerators are left out, and x_1 gives x_. A prime after a bracket is listed, too, and
-    so are other signs that treat derivatives differently.
+    so are the signs in `OTHERWISE`.
     """
     texts = [[text for text in _split(latex) if text not in "{}"] for latex in prints]
     found = {text for one in texts for text in one if text in OTHERWISE}
@@ -117,9 +117,9 @@ def find_moving(
 ) -> Moving:
     """Return the letters that depend on others: those whose derivatives occur next to them.
 
-    A letter with dots depends on the time, one with primes on x or t, or on the only angle. None
-    depends on others if there are letters that might do so as well; if derivatives are then asked
-    for, `ValueError` is raised.
+    A letter with dots depends on the time, one with primes on x or t, or on the only angle. A
+    letter is left out if others might depend on the same one as well; if something is
+    differentiated by that one, `ValueError` is raised.
     """
     shown = {name_symbol(v.latex[0]): v for v in variables if v.latex}
     kinds = (sp.Symbol, sp.MatrixSymbol)

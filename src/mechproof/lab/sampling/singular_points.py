@@ -231,7 +231,7 @@ def _make_tiny(facts: Facts, rng: Rng) -> Arguments:
 
 
 def _draw_tiny(facts: Facts, rng: Rng, count: int) -> Columns:
-    """Draw arguments that may vanish by the logarithm of their size, each at half of the points.
+    """Draw arguments that may vanish logarithmically towards zero, each at half of the points.
 
     The sole argument of a quantity is bounded only by the range of doubles.
     """
