@@ -69,7 +69,7 @@ _NUMBER = re.compile(
 _CASE = re.compile(
     r"\b(?:if|when|unless|without|for|range|interval|between|within|up\s+to|local|relative)\b", re.I
 )
-# A largest or least value that is printed as a letter, and marks of rates.
+# A display of a largest or least value, printed as a letter with an index and perhaps primes.
 _NAMED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
