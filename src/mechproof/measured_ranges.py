@@ -51,7 +51,10 @@ def _shares(
 
 
 def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) -> bool:
-    """Return whether a cell and a range share more than an edge; a size on an edge is below it."""
+    """Return whether a cell and a range share more than an edge.
+
+    A range of one size that is an edge belongs to the cell below it.
+    """
     (lower, upper), (low, high) = edges, pair
     if low == high:
         return lower < low <= upper or low == lower == least
