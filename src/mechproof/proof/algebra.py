@@ -3,7 +3,7 @@
 Angles are reduced to one (cos, sin) pair per base angle with c^2 + s^2 = 1, square roots to roots
 of irreducible factors of proved sign with r^2 = f. The numerator of the difference then has a
 unique normal form; it is zero exactly if the two sides agree wherever both are defined.
-Exponentials are powers of one generator for each monomial of their arguments, if need be. Other
+Exponentials, if need be, become powers of one generator for each monomial of their arguments. Other
 functions (arctan, ...) stay opaque: equal arguments, equal values. Trigonometric polynomials as a
 quotient ring are those of Mulholland and Monagan (2001).
 """
@@ -32,7 +32,8 @@ class Field:
     def __init__(self, domain: Domain, has_powers: bool = False) -> None:
         """Start with no generator; `domain` proves the signs under square roots.
 
-        With `has_powers`, exponentials are powers of those of the monomials of their arguments.
+        With `has_powers`, an exponential becomes a product of powers of generators, one for each
+        monomial of its argument.
         """
         self.domain = domain
         self.has_powers = has_powers
@@ -173,7 +174,7 @@ class Field:
         return self._translate(x) / length, self._translate(y) / length
 
     def _translate_root(self, radicand: sp.Expr) -> sp.Expr:
-        """Return sqrt(radicand): squares pulled out, then roots of single factors."""
+        """Return sqrt(radicand) with squares pulled out and the rest as roots of single factors."""
         self.used_roots = True
         numerator, denominator = split(self._translate(radicand))
         root, rest = self._split_squares(denominator)
@@ -193,7 +194,7 @@ class Field:
         return sp.expand(outside * self._root_of_number_and(constant, inside))
 
     def _translate_power(self, node: sp.Pow) -> sp.Expr:
-        """Return a power by roots of its base's factors, if those are not negative."""
+        """Return a power as roots of its base's factors, if none of these is negative."""
         above, below = split(self._translate(node.base))
         constant, factors = factor_list(self._reduce(above * below ** (self._degree - 1)))
         parts = (constant, below, *(factor for factor, _ in factors))
@@ -205,7 +206,7 @@ class Field:
         return (sp.Mul(*roots) / below) ** int(node.exp * self._degree)
 
     def _split_squares(self, denominator: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Write it as root^2 * rest, root positive; the normal form would hide the squares."""
+        """Write a denominator as root^2 * rest, root positive; a normal form would hide squares."""
         rest, factors = factor_list(denominator)
         root = sp.Integer(1)
         for factor, power in factors:
@@ -214,7 +215,7 @@ class Field:
         return root, rest
 
     def _size_of_power(self, factor: sp.Expr, power: int) -> sp.Expr:
-        """Return |factor|^power; the size of a factor of any sign is the root of its square."""
+        """Return |factor|^power; without a known sign, |factor| is the root of its square."""
         if power % 2 == 0:
             return factor**power
         direction = self._known_direction(factor)
@@ -261,12 +262,12 @@ class Field:
 
     @property
     def hindrance(self) -> str:
-        """Name the sign that was not shown, empty for none."""
+        """Name the sign that was not shown, or return "" if there is none."""
         shown = next(map(self._original, self._unsigned), None)
         return f"the sign of {shown} is not shown" if shown is not None else ""
 
     def _translate_opaque(self, node: sp.Basic) -> sp.Symbol:
-        """Return one symbol for equal functions whose arguments are proved equal."""
+        """Return the symbol of a function, the same one if all its arguments are proved equal."""
         for known, symbol in self._opaque.items():
             if known.func == node.func and len(known.args) == len(node.args):
                 pairs = zip(known.args, node.args, strict=True)
@@ -282,7 +283,7 @@ class Field:
         return all(Field(self.domain).vanishes(a - b) for a, b in pairs)  # type: ignore[attr-defined]
 
     def _reduce(self, polynomial: sp.Expr) -> sp.Expr:
-        """Return the normal form, in which every related generator has at most the power 1."""
+        """Return the normal form, in which each related generator is below its relation's power."""
         return reduce_polynomial(polynomial, self._relations)
 
 
@@ -307,7 +308,7 @@ def _find_rung(field: Field, difference: sp.Expr) -> str | None:
 def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
     field, difference = Field(domain), left - right
-    # SymPy takes long over endless products, and orders terms by the values of their integrals.
+    # SymPy takes long over infinite products, and orders terms by the values of their integrals.
     try:
         if not has_parts(difference, sp.Product):
             field.vanishes(difference)

@@ -1,4 +1,4 @@
-"""Anchors: the numbers of a paper's rows -> names within its page, stable and unique."""
+"""Anchors: the numbers of a paper's rows -> stable, unique link names within its page."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ EQUATION = re.compile(r"\((\w+)\)(?=$|[,\s])")
 
 
 def name_anchor(number: str) -> str:
-    """Name one row, whatever others are called."""
+    """Return a row's anchor without regard to those of other rows."""
     equation = find_equation(number)
     if not equation:
         return f"row-{slugify(number) or 'unnamed'}"
@@ -20,9 +20,9 @@ def name_anchor(number: str) -> str:
 
 
 def name_anchors(numbers: Iterable[str]) -> dict[str, str]:
-    """Name the rows: `eq-12` for (12), `eq-10-third-equals-sign`, `row-table-3-interval-3`.
+    """Return unique anchors: `eq-12` for (12), `eq-10-third-equals-sign`, `row-table-3-interval-3`.
 
-    Two numbers that differ in signs alone get the same name, the second with a 2 behind it.
+    Of two numbers that differ only in punctuation, the second gets the suffix -2.
     """
     found: dict[str, str] = {}
     for number in numbers:
@@ -34,22 +34,22 @@ def name_anchors(numbers: Iterable[str]) -> dict[str, str]:
 
 
 def find_equation(number: str) -> str:
-    """Return the number of the equation that a row belongs to, empty if it names none."""
+    """Return the number of the equation that a row belongs to, or "" if it names none."""
     met = EQUATION.match(number)
     return met[1] if met else ""
 
 
 def find_only_equation(number: str) -> str:
-    """Return the equation that a row is about, empty if it names none or more than one."""
+    """Return the equation that a row is about, or "" if it names none or more than one."""
     return find_equation(number) if len(set(EQUATION.findall(number))) == 1 else ""
 
 
 def name_equation(equation: str) -> str:
-    """Name the place at which the first row of an equation stands."""
+    """Return the anchor of an equation's first row."""
     return f"eq-{slugify(equation)}"
 
 
 def slugify(text: str) -> str:
-    """Keep letters of any script and digits in lower case, and hyphens between."""
+    """Return a text's letters of any script and digits in lower case, separated by hyphens."""
     plain = unicodedata.normalize("NFKC", text).replace("'", "").casefold()
     return re.sub(r"[\W_]+", "-", plain).strip("-")

@@ -1,8 +1,8 @@
-"""Rung: statements about functions of which only a name is said, and which are smooth everywhere.
+"""Rung: statements about functions that are only named, and smooth everywhere.
 
-What is integrated is written by derivatives as far as it is one: f'(x), u*v' + u'*v; of the rest
-some antiderivative is named. Values of functions then are numbers of which nothing is known: what
-is proved of these holds for all functions. A statement is refuted by functions for which it fails.
+Integrands are written as derivatives as far as possible: f'(x), u*v' + u'*v; for the rest an
+antiderivative is given a name. Values of functions then are numbers of which nothing is known, so
+what is proved of them holds for all functions. Functions for which a statement fails refute it.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ _SAMPLES = (_X**3 / _N + (_N + 1) * _X + 1, sp.exp(_X / _N) + _X**2)
 
 
 def has_any_functions(*sides: Any) -> bool:
-    """Tell whether functions are named in a side."""
+    """Return whether a side contains a function that is only named."""
     return any(find_parts(side, AnyFunction) for side in sides)
 
 
 def decide_any(
     printed: sp.Expr, rebuilt: sp.Expr, domain: Domain, decide: Callable[..., Answer]
 ) -> Answer:
-    """Decide whether sides are equal for all functions."""
+    """Decide whether the sides are equal for all functions."""
     sides = [settle_limits(domain.resolve(side), domain) for side in (printed, rebuilt)]
     written = [side.replace(sp.Integral, _integrate) for side in sides]
     bound = {symbol for side in written for symbol in find_bound(side)}
@@ -65,7 +65,7 @@ def _list_names(side: sp.Expr) -> set[str]:
 
 
 def _try(sides: list[sp.Expr], sample: sp.Expr) -> tuple[list[sp.Expr], str]:
-    """Put sample functions in the place of the named ones, and say which."""
+    """Replace the named functions by sample functions; also return which, as text."""
     called = sorted({name for side in sides for name in _list_names(side)})
     chosen = {name: sample.subs(_N, count) for count, name in enumerate(called, start=2)}
 
@@ -106,7 +106,7 @@ def _integrate(integrand: sp.Expr, *limits: sp.Tuple) -> sp.Expr:
 
 
 def _reduce(integrand: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return an antiderivative of terms with functions, and the terms without."""
+    """Return an antiderivative of the terms with functions, and the terms without them."""
     found = left = sp.S.Zero
     terms = [*sp.Add.make_args(sp.expand(integrand))]
     for _ in range(_MOST_STEPS):
@@ -128,10 +128,10 @@ def _reduce(integrand: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _find_part(term: sp.Expr) -> sp.Expr | None:
-    """Return an expression whose derivative is the term up to further terms.
+    """Return an expression whose derivative is the term up to other terms, or None.
 
-    The last function is differentiated less often, the others more; of a function that is
-    multiplied by a polynomial antiderivatives are taken as well.
+    The derivative on the last function is lowered and the others are raised; a function multiplied
+    by a polynomial is also replaced by its antiderivatives.
     """
     powers = dict(factor.as_base_exp() for factor in sp.Mul.make_args(term))
     functions = [base for base in powers if isinstance(base, AnyFunction)]
@@ -149,7 +149,7 @@ def _find_part(term: sp.Expr) -> sp.Expr | None:
 
 
 def _is_smooth(node: sp.Expr, x: sp.Symbol) -> bool:
-    """Tell whether an expression is seen to be smooth for all numbers x."""
+    """Return whether an expression is known from its form to be smooth for all numbers x."""
     if not node.has(x) or node == x:
         return True
     if isinstance(node, sp.Pow) and not isinstance(node, sp.exp):

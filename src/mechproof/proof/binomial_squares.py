@@ -1,8 +1,9 @@
-"""Rung: a polynomial is a sum of squares of monomials, and of sums and differences of two.
+"""Rung: a polynomial is a sum of squares of monomials and of sums and differences of two.
 
 Such sums are found by a linear program (Ahmadi and Majumdar, DSOS and SDSOS optimization, 2019) in
-doubles, and worked out exactly for the squares that it takes: nothing of it is believed. Numbers
-that are not negative are squares themselves; means of numbers are such sums then (Reznick 1989).
+doubles, then solved exactly for the squares that it chooses; its numbers are not trusted.
+Non-negative numbers are squares themselves, so that means of numbers become such sums (Reznick
+1989).
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ _LINE, _HALF_LINES = sp.S.Reals, (sp.Interval(0, sp.oo), sp.Interval.open(0, sp.
 
 
 def holds_by_squares(slack: Slack, domain: Domain) -> bool:
-    """Tell whether a number is shown to be positive, or not negative, by a sum of squares."""
+    """Return whether a sum of squares shows a number positive, or non-negative if not strict."""
     polynomial = _write_polynomial(domain.resolve(slack.value), domain)
     if polynomial is None:
         return False
@@ -49,7 +50,7 @@ def holds_by_squares(slack: Slack, domain: Domain) -> bool:
 
 
 def _write_polynomial(value: sp.Expr, domain: Domain) -> sp.Poly | None:
-    """Return a polynomial of real numbers with the sign of a value; None where there is none."""
+    """Return a polynomial in real numbers with the sign of a value, or None if there is none."""
     symbols = sorted(value.free_symbols, key=str)
     sets = {symbol: domain.set_of(symbol) for symbol in symbols}
     if not symbols or not all(s == _LINE or s in _HALF_LINES for s in sets.values()):
@@ -96,13 +97,13 @@ def _drop_odd_roots(value: sp.Expr) -> sp.Expr:
 
 
 def _is_small(polynomial: sp.Expr) -> bool:
-    """Tell whether a polynomial has few terms and a low degree, without multiplying it out."""
+    """Return whether a polynomial has few terms and a low degree, without multiplying it out."""
     degree, terms = _measure(polynomial)
     return degree <= _LARGEST_DEGREE and terms <= _MOST_EXPANDED
 
 
 def _measure(part: sp.Expr) -> tuple[int, int]:
-    """Return upper bounds for the degree of a polynomial and for the number of its terms."""
+    """Return upper bounds on the degree of a polynomial and on the number of its terms."""
     if not part.args:
         return int(part.is_Symbol), 1
     if part.is_Pow:
@@ -113,7 +114,7 @@ def _measure(part: sp.Expr) -> tuple[int, int]:
 
 
 def _is_sum(polynomial: sp.Poly, *, strict: bool) -> bool:
-    """Tell whether a polynomial is a sum of such squares; if strict, with a positive number too."""
+    """Return whether a polynomial is such a sum of squares; if strict, plus a positive number."""
     terms = dict(polynomial.terms())
     squares = list(_list_squares([*terms]))
     if not squares:
@@ -127,10 +128,10 @@ def _is_sum(polynomial: sp.Poly, *, strict: bool) -> bool:
 
 
 def _list_squares(terms: Sequence[Monomial]) -> Iterator[Square]:
-    """List the squares whose monomials may stand in a sum: half of the exponents of the terms.
+    """List the squares whose monomials may appear in a sum, by half the exponents of its terms.
 
-    No monomial of a sum of squares lies outside of half the Newton polytope (Reznick 1978), nor of
-    the box and the degrees around it.
+    No monomial of a sum of squares lies outside half the Newton polytope (Reznick 1978), hence none
+    outside the surrounding box and range of degrees.
     """
     degrees = [sum(term) for term in terms]
     powers = zip(*terms, strict=True)
@@ -158,7 +159,7 @@ def _add(one: Monomial, other: Monomial) -> Monomial:
 def _choose(
     squares: Sequence[Square], terms: Mapping[Monomial, sp.Rational], most: Monomial | None
 ) -> list[Square]:
-    """Return the squares that a linear program finds for a sum, none if it fails.
+    """Return the squares that a linear program finds for a sum, or none if it fails.
 
     The square of the monomial `most` gets as large a weight as possible.
     """
@@ -184,7 +185,7 @@ def _choose(
 def _solve(
     squares: Sequence[Square], terms: Mapping[Monomial, sp.Rational]
 ) -> dict[Square, sp.Rational] | None:
-    """Return the exact weights of squares whose sum is a polynomial, None if there are none."""
+    """Return the exact weights of squares that add up to a polynomial, or None."""
     expanded = [_expand(square) for square in squares]
     monomials = list(dict.fromkeys([*terms, *(m for e in expanded for m in e)]))
     columns = [*expanded, terms]

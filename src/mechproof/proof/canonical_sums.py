@@ -7,7 +7,7 @@ of sums, bound indices renamed in one order. Two canonical sums with
 different summands are independent as functions of arbitrarily many terms, so equality of the
 polynomials decides equality for every n.
 
-Nothing is summed up, as Gosper (1978) and Karr (1981) do: two sums are only told to be the same.
+Sums are not evaluated, as by Gosper (1978) and Karr (1981); they are only shown to be equal.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ Limit = tuple[sp.Symbol, sp.Expr]
 def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
     """Replace every Sum in the expression by its canonical form.
 
-    Raises `NotImplementedError` for a Sum whose limits are not shown to be integers, the upper
-    no less than the lower less one, or whose upper limit depends on another index.
+    Raises `NotImplementedError` for a Sum whose limits are not shown to be integers with the upper
+    one at least the lower one less 1, or whose upper limit depends on another index.
     """
     if not has_parts(expression, sp.Sum):
         return expression
@@ -44,7 +44,7 @@ def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
 
 
 def write_out(expression: sp.Basic) -> sp.Basic:
-    """Write sums and products between integers out; one that ends before it begins has no value."""
+    """Write out sums and products between integers; one that ends before it begins is NaN."""
     if not has_parts(expression, sp.Sum, sp.Product):
         return expression
     if isinstance(expression, sp.Sum | sp.Product):
@@ -66,7 +66,7 @@ def _write_out(node: sp.Sum | sp.Product) -> sp.Basic:
     return combine(*(write_out(substitute(body, {index: sp.Integer(k)})) for k in numbers))
 
 
-# The rows of a paper share their sums.
+# Many rows of a paper contain the same sums.
 @lru_cache(maxsize=256)
 def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
     aligned = _align(node, domain)
@@ -79,7 +79,7 @@ def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
 
 
 def _align(node: sp.Sum, domain: Domain) -> sp.Expr:
-    """Write single terms at the ends out, so that a sum runs from 1 to a limit without constant."""
+    """Split off single terms at the ends, so that a sum runs from 1 to a limit without constant."""
     (index, lower, upper), *others = node.limits
     if others or not lower.is_Integer:
         return node
@@ -124,7 +124,7 @@ def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
 
 
 def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
-    """Move the inner sums of a summand, in products and whole powers too, out of it."""
+    """Move a summand's inner sums, also those in products and whole powers, out of it."""
     if not has_parts(node, sp.Sum):
         return node
     if isinstance(node, sp.Mul):
@@ -197,7 +197,7 @@ def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
 
 @cache
 def _index(number: int) -> sp.Dummy:
-    """Return a canonical index: no symbol of a paper can be the same."""
+    """Return a canonical index, a dummy that no symbol of a paper can equal."""
     return sp.Dummy(f"_{number}", integer=True)
 
 

@@ -1,7 +1,7 @@
-"""Cases: sides that are given by pieces, or hold a symbol with few values, one case at a time.
+"""Cases: sides given by pieces, or with a symbol of few values, are proved one case at a time.
 
-Each condition is once taken to be true and once to be false, on the part of the domain where it is:
-the splitting of Davis, Logemann and Loveland (1962), on conditions in place of letters.
+Each condition is taken to be true and then to be false, each time on the part of the domain where
+it is: the splitting of Davis, Logemann and Loveland (1962), on conditions in place of literals.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ IN_PIECES = (sp.Abs, sp.sign, sp.Max, sp.Min)
 
 
 def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sides by pieces equal, whichever condition of a piece holds; None for other sides."""
+    """Prove sides given by pieces equal, whichever condition holds; None for other sides."""
     condition = min(_list_conditions(sides), key=sp.default_sort_key, default=None)
     if condition is None:
         return None
@@ -50,7 +50,7 @@ def decide_by_pieces(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def _always(condition: Relational, domain: Domain) -> bool:
-    """Tell whether a condition of more than one letter is shown to hold by their signs."""
+    """Return whether a condition on more than one letter is shown to hold by signs."""
     slack = find_slack(condition)
     if slack is None or len(slack.value.free_symbols) < 2:
         return False
@@ -58,7 +58,7 @@ def _always(condition: Relational, domain: Domain) -> bool:
 
 
 def _pin(sides: Sequence[sp.Expr], domain: Domain) -> tuple[Any, ...]:
-    """Put in the value of a symbol that two relations bound to it, where pieces meet."""
+    """Put in a symbol's value if two relations of the domain fix it, as where pieces meet."""
     *others, last = map(find_slack, domain.where or (sp.true,))
     met = (one for one in others if last and one and _are_opposite(one, last, domain))
     for slack in met:
@@ -71,14 +71,14 @@ def _pin(sides: Sequence[sp.Expr], domain: Domain) -> tuple[Any, ...]:
 
 
 def _are_opposite(one: Slack, other: Slack, domain: Domain) -> bool:
-    """Tell whether two numbers are not negative, and one is a negative multiple of the other."""
+    """Return whether one slack is non-strict and a negative multiple of the other."""
     if one.strict or not one.value.free_symbols <= other.value.free_symbols:
         return False
     return one.value == -other.value or is_positive(-sp.cancel(other.value / one.value), domain)
 
 
 def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sums to a count equal where it is zero, and from 1 on; None for other sides."""
+    """Prove sums up to a count equal where it is zero, and from 1 on; None for other sides."""
     sums = {total for side in sides for total in find_parts(side, sp.Sum, sp.Product)}
     free = {symbol for total in sums for symbol in total.free_symbols}
     counts = [symbol for symbol in free if domain.set_of(symbol) == sp.S.Naturals0]
@@ -94,7 +94,7 @@ def decide_from_zero(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sums that begin at a letter equal by how far they go above it; None for others."""
+    """Prove sums that begin at a letter equal by their numbers of terms; None for other sides."""
     sums = {total for side in sides for total in find_parts(side, sp.Sum, sp.Product)}
     if not sums:
         return None
@@ -111,7 +111,7 @@ def decide_from_last(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def _begin_at_zero(side: sp.Expr) -> sp.Expr:
-    """Write sums that begin at a letter with terms counted from zero on."""
+    """Rewrite sums that begin at a letter so that their index counts from zero."""
 
     def move(total: ExprWithLimits) -> sp.Expr:
         index, low, high = total.limits[0]
@@ -124,9 +124,10 @@ def _begin_at_zero(side: sp.Expr) -> sp.Expr:
 
 
 def decide_from_zero_end(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sides equal where a letter is zero, an end of its range, and elsewhere.
+    """Prove sides equal where a letter is zero, an end of its range, and where it is not.
 
-    It is in the base of a power, or a factor of the largest of numbers; None without such a letter.
+    The letter is in the base of a symbolic power, or a factor in a maximum or minimum. None without
+    such a letter.
     """
     bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.free_symbols}
     compared = {x for side in sides for one in side.atoms(sp.Max, sp.Min) for x in one.args}
@@ -143,10 +144,10 @@ def decide_from_zero_end(sides: Sides, domain: Domain, prove: Prove) -> str | No
 
 
 def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Expr:
-    """Write moduli, signs, largest and smallest of few numbers by pieces; nothing of many.
+    """Write moduli, signs, maxima and minima by pieces, unless there are too many of them.
 
-    Nothing is written where a symbol is bound, either, as a condition might depend on it. Where a
-    number among the poles is zero its sign does not count.
+    Nothing is written where a symbol is bound, either, as a condition might depend on it. The sign
+    of a number in `poles` gets no piece for zero.
     """
     nodes = expression.atoms(*IN_PIECES)
     if len(nodes) > _MOST_WRITTEN or any(len(node.args) > _MOST_WRITTEN for node in nodes):
@@ -159,7 +160,7 @@ def write_pieces(expression: sp.Expr, poles: Collection[sp.Expr] = ()) -> sp.Exp
 
 
 def list_poles(sides: Iterable[sp.Expr]) -> set[sp.Expr]:
-    """List numbers that are divided by, or by whose moduli."""
+    """List the divisors, and the numbers whose moduli are divisors."""
     bases = {p.base for side in sides for p in side.atoms(sp.Pow) if p.exp.is_negative}
     return bases | {base.args[0] for base in bases if isinstance(base, sp.Abs)}
 
@@ -185,7 +186,7 @@ def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
 
 
 def _choose(difference: sp.Expr, above: sp.Expr, below: sp.Expr) -> sp.Expr:
-    """Return cases: `above` where the difference is positive, else `below`, in a canonical form."""
+    """Return cases in a canonical form: `above` where the difference is positive, else `below`."""
     if difference.could_extract_minus_sign():
         difference, above, below = -difference, below, above
     alone = [s for s in sorted(difference.free_symbols, key=str) if difference.coeff(s) == 1]
@@ -195,7 +196,7 @@ def _choose(difference: sp.Expr, above: sp.Expr, below: sp.Expr) -> sp.Expr:
 
 
 def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
-    """Prove sides equal for each value of a symbol that has few; None where none has."""
+    """Prove sides equal for each value of a symbol with a finite set; None if there is none."""
     symbols = {symbol for side in sides for symbol in side.free_symbols} & domain.within.keys()
     listed = [s for s in symbols if isinstance(domain.set_of(s), sp.FiniteSet)]
     if not listed:
@@ -206,10 +207,10 @@ def decide_by_values(sides: Sides, domain: Domain, prove: Prove) -> str | None:
 
 
 def narrow(domain: Domain, relation: Relational) -> Domain | None:
-    """Return the part of a domain on which a relation holds, None for nothing.
+    """Return the part of a domain on which a relation holds, or None if it is empty.
 
-    An unsolved relation becomes a relation of the part; an unsolved equation narrows nothing. A
-    part that is returned may still have no point.
+    A relation that is not solved for a symbol is added to the part's relations; an equation that is
+    not solved narrows nothing. A part that is returned may still have no point.
     """
     relation = domain.resolve(relation)
     if relation == sp.false:
@@ -230,13 +231,13 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
 
 
 def _refuse_empty(domain: Domain) -> Domain | None:
-    """Return a domain, None where its relations leave no value for some letter."""
+    """Return a domain, or None if its relations leave no value for some letter."""
     sets = {symbol: domain.set_of(symbol) for one in domain.where for symbol in find_free(one)}
     return domain if leaves_values(sets, domain.where, {}) else None
 
 
 def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:
-    """Return whether a symbol has one value left, and a relation of the domain denies it."""
+    """Return whether a symbol has only one value left, and a relation of the domain excludes it."""
     if not (isinstance(values, sp.FiniteSet) and len(values) == 1):
         return False
     (value,) = values
@@ -244,9 +245,9 @@ def _excludes(domain: Domain, symbol: sp.Basic, values: sp.Set) -> bool:
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
-    """Collect the conditions of pieces in symbols that are bound nowhere.
+    """Collect the conditions of pieces whose symbols are free throughout the sides.
 
-    Those that hold pieces themselves are met once these are settled.
+    Conditions that contain pieces are collected later, once those pieces are decided.
     """
     pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
     free = {symbol for side in sides for symbol in side.free_symbols}
@@ -257,7 +258,7 @@ def _list_conditions(sides: Sides) -> set[Relational]:
 
 
 def assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
-    """Return a side with the pieces that are left, and for |v| the sign that a condition tells."""
+    """Return a side with a condition and its negation decided, and |v| with the sign it implies."""
     known = {
         relation: sp.sympify(truth)
         for stated, truth in ((condition, holds), (condition.negated, not holds))
@@ -274,19 +275,19 @@ def assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
 def put_in(
     sides: Sequence[sp.Expr], domain: Domain, value: Mapping[sp.Basic, sp.Expr]
 ) -> tuple[Any, ...]:
-    """Return sides with the values of symbols, and the part of a domain on which they have them."""
+    """Return sides with values put in for symbols, and the domain restricted to these values."""
     return *(substitute(side, value) for side in sides), fix(domain, value)
 
 
 def fix(domain: Domain, value: Mapping[sp.Basic, sp.Expr]) -> Domain:
-    """Return the part of a domain on which symbols have values."""
+    """Return the part of a domain on which symbols have given values."""
     within = {symbol: values for symbol, values in domain.within.items() if symbol not in value}
     where = tuple(substitute(relation, value) for relation in domain.where)
     return replace(domain, within=within, where=where, given={**domain.given, **value})
 
 
 def _join(rungs: Iterable[str | None]) -> str | None:
-    """Return the names of the rungs of all cases, None if one of them is not proved."""
+    """Return the names of all cases' rungs, or None if one case is not proved."""
     found = {RUNG: None}
     for rung in rungs:
         if rung is None:

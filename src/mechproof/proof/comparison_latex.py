@@ -1,4 +1,4 @@
-"""What a row was compared with, as LaTeX: a statement and the names of its paper -> a formula."""
+"""The LaTeX of what a row was compared with, written in the letters of its paper."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 # Names of more than two letters are words, unless they name a Greek letter.
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _LONG_NAME = re.compile(rf"{_WORD.pattern}(_\w+)?$")
-# The name that SymPy gives to a dummy variable of integration: a name with `_` behind it.
+# A dummy variable of integration as SymPy names it: with `_` at the end.
 _DUMMY = re.compile(r"([A-Za-z]+)(\d*)_")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
@@ -42,13 +42,13 @@ _MOST_MORE, _FEW = 2, 30
 
 @dataclass(frozen=True)
 class _Letters:
-    """How a paper prints its letters, and what those letters of ours stand for that it lacks."""
+    """A paper's letters as printed, and the values of those letters of ours that it lacks."""
 
     names: _NAMED
     ours: Mapping[sp.Basic, sp.Basic]
 
     def spell_out(self, formula: sp.Basic) -> sp.Basic:
-        """Write our letters by the paper's; as it is, if that makes much more of a formula."""
+        """Replace our letters by the paper's, unless the formula then becomes much longer."""
         if not find_free(formula) & self.ours.keys():
             return formula
         spelt = resolve(formula, self.ours)
@@ -57,19 +57,19 @@ class _Letters:
 
 
 def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
-    """Return the LaTeX of what a print was compared with, empty if it was compared with nothing."""
+    """Return the LaTeX of what a print was compared with, or "" if there was nothing."""
     ours = list_given(v for v in variables if not v.latex)
     return _compared(statement, _Letters(_name_letters(variables), ours))
 
 
 def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
-    """Return a formula in the letters of a paper, however long it is; words stand upright."""
+    """Return a formula of any length in the letters of a paper; words are set upright."""
     text: str = _Printer({**_write_words(formula), **_name_letters(variables)}).doprint(formula)
     return text
 
 
 def _name_letters(variables: Sequence[Variable]) -> dict[sp.Basic, str]:
-    """Write the symbols that a paper prints, and those of ours that are letters."""
+    """Return the LaTeX of the symbols that a paper prints, and of our own letters."""
     shown = ((v.symbol, v.latex[0] if v.latex else v.letter) for v in variables)
     return {symbol: latex for symbol, latex in shown if latex}
 
@@ -77,7 +77,7 @@ def _name_letters(variables: Sequence[Variable]) -> dict[sp.Basic, str]:
 def write_letter(
     symbol: sp.Basic, variables: Sequence[Variable], formulas: Iterable[sp.Basic]
 ) -> str:
-    """Return a letter in those of a paper; of a family a member, with as many indices as there."""
+    """Return a letter as the paper prints it; for a family, a member indexed as in `formulas`."""
     if not isinstance(symbol, sp.IndexedBase):
         return write_latex(symbol, variables)
     met = (item for formula in formulas for item in find_parts(formula, sp.Indexed))
@@ -86,7 +86,7 @@ def write_letter(
 
 
 def _write_words(formula: sp.Basic) -> dict[sp.Basic, str]:
-    """Write the symbols whose names are words."""
+    """Return the LaTeX of the symbols whose names are words."""
     return {s: _write_word(s) for s in find_free(formula) if _LONG_NAME.match(str(s))}
 
 
@@ -97,7 +97,7 @@ def _write_word(symbol: sp.Symbol) -> str:
 
 
 def _write_upright(name: str) -> str:
-    """Write a word upright, a Greek letter as its command, and anything else as it is."""
+    """Write a word upright, a Greek letter as its command, and anything else escaped."""
     if not _WORD.fullmatch(name):
         return name.translate(_ESCAPES)
     letter: str = translate(name)
@@ -114,7 +114,7 @@ def _compared(statement: Statement, letters: _Letters) -> str:
 
 
 def _write_part(statement: Statement, letters: _Letters) -> str:
-    """Write a statement whose print is a sentence: both of its sides."""
+    """Write both sides of a statement whose print is a sentence."""
     if isinstance(statement, Holds):
         return _write(statement.relation, letters)
     if isinstance(statement, Distinct):
@@ -136,7 +136,7 @@ def _write(formula: sp.Basic, letters: _Letters) -> str:
 
 
 def _shorten_sums(formula: sp.Basic) -> sp.Basic:
-    """Take deltas and rational factors out of indexed sums, and factors out of what is added."""
+    """Move deltas and rational factors out of indexed sums, and factors out of powers of sums."""
     if not has_parts(formula, sp.Sum):
         return formula
     taken = formula.replace(sp.Sum, _take_factor_out)
@@ -149,7 +149,7 @@ def _take_factor_out(term: sp.Expr, *limits: sp.Tuple) -> sp.Expr:
 
 
 def _sum_once(term: sp.Expr, limits: Sequence[sp.Tuple]) -> tuple[sp.Basic, ...]:
-    """Return a sum over one index where a Kronecker delta makes two equal."""
+    """Return the arguments of a sum with indices merged that a Kronecker delta makes equal."""
     (index, *ends), *others = limits
     for other in others:
         delta = sp.KroneckerDelta(index, other[0])
@@ -164,10 +164,10 @@ def _split_power(power: sp.Pow) -> sp.Expr:
     return factor**power.exp * rest**power.exp
 
 
-# Cached for each part: the parts of a formula are asked one after the other.
+# Cached for each part, as a formula's parts are weighed one after another.
 @lru_cache(maxsize=1 << 14)
 def _weigh(formula: sp.Basic) -> int:
-    """Count the parts of a formula, repeated ones again."""
+    """Count the parts of a formula, repeated ones as often as they occur."""
     return 1 + sum(map(_weigh, formula.args))
 
 
@@ -197,7 +197,7 @@ def _is_long_fraction(number: sp.Expr) -> bool:
 
 
 def _write_number(number: sp.Expr, names: _NAMED) -> str:
-    """Write a number that is too long to be read by its digits."""
+    """Write a number whose digits are too many to read: an integral or sum, or a decimal."""
     if isinstance(number, ExprWithLimits):
         return str(_Printer(names).doprint(number))
     return rf"{balls.evaluate_until(number, {}, 64).mid().str(_DIGITS, radius=False)}\ldots"
@@ -224,7 +224,7 @@ def _turn(product: sp.Mul) -> sp.Expr:
 
 
 def _falls_short(base: sp.Expr) -> bool:
-    """Return whether it is a sum less a number, where nothing else is subtracted."""
+    """Return whether a sum subtracts a number and nothing else."""
     if not isinstance(base, sp.Add):
         return False
     number, others = base.as_coeff_add()
@@ -232,12 +232,12 @@ def _falls_short(base: sp.Expr) -> bool:
 
 
 def _is_decimal(number: sp.Rational) -> bool:
-    """Return whether people write a fraction by its decimals: 0.7284, but 2/5 and 1/8."""
+    """Return whether people write a fraction as a decimal: 0.7284, but 2/5 and 1/8."""
     return bool(number.q > 5 and number.q % 5 == 0 and 10**_PLACES % number.q == 0)
 
 
 def _split_product(product: sp.Mul) -> tuple[sp.Expr, ...]:
-    """Split off what stands before a product, a decimal, or behind it: an integral or cases."""
+    """Split off a product's leading decimal, or its one trailing integral or cases; else ()."""
     number, rest = product.as_coeff_Mul()
     if isinstance(number, sp.Rational) and _is_decimal(number) and not rest.is_Add:
         return number, rest
@@ -252,7 +252,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
     def __init__(self, names: _NAMED) -> None:
         super().__init__({"inv_trig_style": "full"})
         self._names = names
-        # Keeps what is written: a matrix of derivatives repeats its parts.
+        # Caches written parts: a matrix of derivatives repeats its parts.
         self._written: dict[sp.Basic, str] = {}
 
     def _print(self, part: Any, **settings: Any) -> str:
@@ -284,7 +284,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
         return written
 
     def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
-        """Order terms as people do: 1 + e^2 - 2 e cos(x), and no sign before the first."""
+        """Order terms as people do: 1 + e^2 - 2 e cos(x), with no leading minus if avoidable."""
         found = sorted(expr.args, key=lambda term: term.has(sp.Function))
         terms = [_turn(term) if isinstance(term, sp.Mul) else term for term in found]
         first = next((t for t in terms if not _is_subtracted(t)), terms[0])

@@ -1,8 +1,8 @@
-"""Where an expression may fail to be continuous in one variable, and a rung that asks for it.
+"""Find where an expression may be discontinuous in one variable, and a rung that relies on it.
 
 The rung: equal derivatives, equal constants, and both sides continuous over the whole domain. A
-formula with arctangents or integrals that differentiates correctly can still jump (Jeffrey 1993, of
-what computer algebra finds by tan(x/2)), so continuity is proved before the constant is believed.
+formula with arctangents or integrals that differentiates correctly can still jump (Jeffrey 1993, on
+results of computer algebra by tan(x/2)), so continuity is proved before the constant is trusted.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def find_break(expression: sp.Basic, variable: sp.Symbol, domain: Domain) -> sp.
 
 
 def has_pole(node: sp.Basic, variable: sp.Symbol, domain: Domain) -> bool:
-    """Return whether a tangent of what is linear in the variable meets a pole within its set."""
+    """Return whether a tangent of a linear argument has a pole inside the variable's set."""
     if not isinstance(node, sp.tan):
         return False
     slope = sp.diff(node.args[0], variable)
@@ -68,7 +68,7 @@ def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
 def _find_break_of_integral(
     node: sp.Integral, variable: sp.Symbol, domain: Domain
 ) -> sp.Basic | None:
-    """Return what may not be continuous: a limit, or the integrand wherever its variable runs."""
+    """Return a limit, or a part of the integrand between the limits, not shown continuous."""
     for bound, *limits in node.limits:
         for limit in limits:
             found = find_break(limit, variable, domain)
@@ -83,7 +83,7 @@ def _find_break_of_integral(
 
 
 def _range_between(limits: list[sp.Expr], domain: Domain) -> sp.Set:
-    """Return where the variable of an integral runs; from 0 to a symbol, that symbol's interval."""
+    """Return the range of an integral's variable; from 0 to a symbol, that symbol's interval."""
     lower, upper = limits
     where = domain.set_of(upper) if upper.is_Symbol else sp.S.Reals
     return where if lower == 0 and where.contains(0) == sp.true else sp.S.Reals
@@ -98,7 +98,7 @@ _CANDIDATES = 2
 
 
 def decide_by_derivative(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right is proved by some variable, else None."""
+    """Return the rung if left = right is proved by the derivative in some variable, else None."""
     left, right = domain.resolve(left), domain.resolve(right)
     for variable in _variables(left - right, domain):
         if _agrees(left, right, variable, domain):
@@ -107,9 +107,9 @@ def decide_by_derivative(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
 
 
 def explain_break(expression: sp.Expr, domain: Domain, *, is_shown: bool = False) -> str:
-    """Say which subexpression is not continuous or was not shown to be, empty if all are.
+    """Name a subexpression that is, or may be, discontinuous; "" if all are continuous.
 
-    With `is_shown` only what is not continuous is told.
+    With `is_shown`, only one that is certainly discontinuous is named.
     """
     expression = domain.resolve(expression)
     for variable in _variables(expression, domain):
@@ -124,7 +124,7 @@ def explain_break(expression: sp.Expr, domain: Domain, *, is_shown: bool = False
 
 
 def _variables(expression: sp.Expr, domain: Domain) -> list[sp.Symbol]:
-    """Return the candidates: symbols of limits or arguments, unrestricted ones first."""
+    """Return the candidates: symbols of limits or arguments, those with the widest sets first."""
     limits = {s for i in expression.atoms(sp.Integral) for s in i.limits[0][2].free_symbols}
     nodes = expression.atoms(*_TRANSCENDENTAL)
     symbols = limits or {s for node in nodes for s in node.free_symbols}
@@ -134,7 +134,7 @@ def _variables(expression: sp.Expr, domain: Domain) -> list[sp.Symbol]:
 
 
 def _rank(where: sp.Interval) -> int:
-    """Put running variables first: the whole line, then what lies on both sides of zero."""
+    """Rank the whole line first, then sets with zero inside them, then others."""
     if where == sp.S.Reals:
         return 0
     return 1 if where.contains(0) == sp.true and where.start != 0 else 2
@@ -165,7 +165,7 @@ def _base_point(where: sp.Interval) -> sp.Expr:
 
 
 def _at(expression: sp.Expr, variable: sp.Symbol, value: sp.Expr) -> sp.Expr:
-    """Substitute; an integral between equal limits is zero."""
+    """Substitute a value; an integral between equal limits becomes zero."""
     result = expression.subs(variable, value)
     empty = [i for i in result.atoms(sp.Integral) if i.limits[0][1] == i.limits[0][2]]
     return result.subs(dict.fromkeys(empty, sp.Integer(0)))

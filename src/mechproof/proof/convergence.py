@@ -1,12 +1,12 @@
-"""Integrals, sums and limits that have no value: one that is printed for them is wrong.
+"""Integrals, sums and limits without a value, for which any printed value is wrong.
 
-An integral does not converge where its integrand is like 1/x at a pole or an end, or more, or an
-antiderivative is infinite there, whatever signs are met, or has no limit; a sum does not whose
-terms do not come to zero.
+An integral does not converge if its integrand is at least like 1/x at a pole or an end, or if an
+antiderivative is infinite there or has no limit, whatever its signs; a sum does not if its terms do
+not tend to zero.
 
-What has to be said of letters so that there is a value is proposed by the forms that converge:
-powers at zero and at infinity, exponentials, geometric series, the rows of the table of integrals;
-sums go up. That the sides are equal where that holds is proved by the rungs.
+Conditions on letters that would give a value are proposed from the forms that converge: powers at
+zero and at infinity, exponentials, geometric series, the rows of the table of integrals; sums run
+upwards. The rungs then prove the sides equal under these conditions.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from mechproof.statement_domains.domain import Domain, Point
 
 RUNG = "divergence"
 _NAMES = {sp.Integral: "the integral", sp.Sum: "the sum", sp.Limit: "the limit"}
-# Letters that often mean whole numbers even where nobody says so.
+# Letters that often mean whole numbers even if nothing says so.
 _WHOLE = (*"ijklmnN",)
 # Angles at which an oscillating expression is evaluated, to see whether its limits differ.
 _ANGLES = tuple(sp.pi * k / 4 for k in range(8))
@@ -50,7 +50,7 @@ _ALL = Domain({}, (), {})
 
 
 def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
-    """Say why a side has no value, the other being a number; empty where it is not shown."""
+    """Report why a side has no value although the other is a number; "" if that is not shown."""
     endless = [side for side in sides if has_parts(side, *ENDLESS)]
     has_others = any(side.has(sp.oo, sp.nan, sp.zoo) for side in sides if side not in endless)
     if len(endless) != 1 or has_others or not isinstance(endless[0], sp.Expr):
@@ -68,8 +68,8 @@ def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
 def _list_parts(integral: sp.Integral, claimed: sp.Expr, domain: Domain) -> list[Domain]:
     """List the parts of the domain where one limit is above the other, and where it is below.
 
-    Between limits that are the same an integral is zero: all is one part unless that is not
-    claimed there.
+    Between equal limits an integral is zero: unless another value is claimed there, the domain
+    stays whole.
     """
     low, high = integral.limits[0][1:] if len(integral.limits[0]) == 3 else (sp.S.Zero, sp.oo)
     length = high - low
@@ -84,14 +84,14 @@ def _list_parts(integral: sp.Integral, claimed: sp.Expr, domain: Domain) -> list
 
 
 def lack_values_alike(sides: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Tell whether at points tried both sides have values, or are shown to have none."""
+    """Return whether at each point tried both sides have values or both are shown to have none."""
     if any(has_parts(side, sp.Sum, sp.Product, sp.Limit) for side in sides):
         return False
     return all(_are_alike(sides, point) for point in points_for((*sides,), domain, FEW))
 
 
 def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
-    """Tell at one point whether both sides have values, or are shown to have none."""
+    """Return whether at one point both sides have values, or both are shown to have none."""
     lack = [_has_none(substitute(s, point)) for s in sides]
     has_values = [not lacks and has_value(s, point) for s, lacks in zip(sides, lack, strict=True)]
     pairs = zip(sides, lack, strict=True)
@@ -100,13 +100,13 @@ def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
 
 
 def _has_none(side: sp.Expr) -> bool:
-    """Tell whether a number with integrals has no value, as far as these do not converge."""
+    """Return whether a number contains an integral that is shown to have no value."""
     nodes = find_parts(side, sp.Integral)
     return any(_lacks_integrand(one) or _tell_integral(one, _ALL) for one in nodes)
 
 
 def _lacks_integrand(integral: sp.Integral) -> bool:
-    """Tell whether a root, a logarithm or the like has no real value between the limits."""
+    """Return whether a root, a logarithm or the like has no real value between the limits."""
     variable, *limits = integral.limits[0]
     if is_iterated(integral) or not all(limit.is_finite for limit in limits):
         return False
@@ -117,7 +117,7 @@ def _lacks_integrand(integral: sp.Integral) -> bool:
 
 
 def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a side is a multiple of a node without a value, plus other terms."""
+    """Return whether a side is a nonzero multiple of a node, plus terms without it."""
     name = sp.Dummy("value")
     factor = sp.diff(side.xreplace({node: name}), name)
     return not factor.has(name) and is_nonzero(factor, domain)
@@ -138,7 +138,7 @@ def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
 
 
 def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
-    """Say at which end an integrand is like 1/x, or an antiderivative is infinite or swings."""
+    """Report at which end an integrand is like 1/x, or an antiderivative diverges or oscillates."""
     variable, *limits = piece.limits[0]
     for place, side in zip(limits, (1, -1), strict=True):
         if find_residue(piece.function, variable, place, side, domain) is not None:
@@ -158,7 +158,7 @@ def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
 
 
 def _tell_sum(total: sp.Sum, domain: Domain) -> str:
-    """Say that the sizes of the terms do not tend to zero."""
+    """Report that the moduli of the terms do not tend to zero, or return ""."""
     if (read := read_endless(total)) is None:
         return ""
     term, k, _ = read
@@ -169,7 +169,7 @@ def _tell_sum(total: sp.Sum, domain: Domain) -> str:
 
 
 def _write_size(factor: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write a power of a negative number by the power of its size."""
+    """Write a power of a negative number as the power of its modulus."""
     base, exponent = factor.as_base_exp()
     return (-base) ** exponent if is_positive(-base, domain) else factor
 
@@ -183,9 +183,9 @@ def _tell_limit(limit: sp.Limit, domain: Domain) -> str:
 
 
 def _swings(body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
-    """Tell whether limits differ along sequences on which an angle is constant up to whole turns.
+    """Return whether limits differ along sequences on which an angle is constant up to whole turns.
 
-    The angle is a polynomial, and all sines and cosines are of whole multiples of it.
+    The angle is a polynomial, and all sines and cosines are of rational multiples of it.
     """
     body = write_by_sines(body)
     if not is_defined_near(body, variable, point, -1, domain):
@@ -225,9 +225,9 @@ _Decide = Callable[[Any, Any, Domain], Answer]
 
 
 def find_condition(sides: tuple[Any, Any], domain: Domain, decide: _Decide) -> Answer | None:
-    """Answer by a condition under which sides are proved equal, or differ; None for none."""
+    """Answer under a condition for which the sides are proved equal, or refuted; else None."""
     for needs in _list_tried(sides, domain):
-        # Nothing can be said of a part of the domain that has no points.
+        # A part of the domain that has no points decides nothing.
         with suppress(RecordError, NotImplementedError):
             part = narrow_to(domain, needs)
             answer = decide(*sides, part) if part is not None else None
@@ -247,7 +247,7 @@ def _report(answer: Answer, needs: Sequence[Slack]) -> Answer | None:
 
 
 def _write(need: Slack) -> str:
-    """Write a need as a bound of a single letter, where a term is linear in one."""
+    """Write a condition as a bound on a single letter if it is linear in one."""
     number, strict = need
     letters = sorted(number.free_symbols, key=str)
     slope = sp.diff(number, letters[0])
@@ -274,7 +274,7 @@ def _join(nodes: Sequence[Any], find: Callable[[Any], Iterator[Slack]]) -> list[
 
 
 def _list_by_form(node: Any) -> Iterator[Slack]:
-    """List needs for convergence, read from the exponents of powers and exponentials."""
+    """Yield conditions of convergence, read from the exponents of powers and exponentials."""
     if isinstance(node, sp.Sum):
         _, low, high = node.limits[0]
         if low.free_symbols and high.is_finite is not False:

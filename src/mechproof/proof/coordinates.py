@@ -1,4 +1,4 @@
-"""Coordinates in which signs are seen: half-lines, tangents of half angles, named parts."""
+"""Coordinates that make signs visible: half-lines, tangents of half angles, named parts."""
 
 from __future__ import annotations
 
@@ -54,12 +54,12 @@ class Coordinates:
 
     @property
     def half_lines(self) -> set[sp.Basic]:
-        """Return the new variables that are not negative, positive ones among them."""
+        """Return the new variables that are non-negative, positive ones among them."""
         return self.positive | self.nonnegative
 
 
 def parametrise(variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr) -> tuple[sp.Expr, sp.Interval]:
-    """Return the variable by one that runs between numbers, and where that runs."""
+    """Return the variable in terms of one that runs between numbers, and that one's interval."""
     if lower.is_number and upper.is_number:
         return variable, sp.Interval(lower, upper)
     if upper.is_infinite:
@@ -81,7 +81,7 @@ def _name_tangent(angle: sp.Expr) -> sp.Dummy:
 
 
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
-    """Replace a number of an interval by an expression in one that is positive or not negative."""
+    """Replace a number of an interval by an expression in a positive or non-negative one."""
     if where in COUNTS and where != sp.S.Integers:
         where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
     if not isinstance(where, sp.Interval) or where == sp.S.Reals:
@@ -110,7 +110,7 @@ def name_positive(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
 
 
 def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Replace absolute values by variables that are not negative, their squares by those inside."""
+    """Replace moduli by non-negative variables, and their squares by the squares of the insides."""
     if not expression.has(sp.Abs):
         return expression
     # Absolute values are named first: SymPy would look for the sign inside each new one.
@@ -124,7 +124,7 @@ def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Ex
 
 
 def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
-    """Write a power of a number's size by the square of the number, as far as it goes."""
+    """Write a power of |number| by the square of the number, as far as possible."""
     times, rest = divmod(int(power.exp), 2)
     return number ** (2 * times) * power.base**rest
 
@@ -132,10 +132,10 @@ def _square(number: sp.Expr, power: sp.Pow) -> sp.Expr:
 def name_roots(
     expression: sp.Expr, radicands: Iterable[sp.Expr], is_positive: Callable[[sp.Expr], bool]
 ) -> tuple[sp.Expr, tuple[sp.Symbol, ...]]:
-    """Replace roots of these positive radicands by variables with known squares; return these, too.
+    """Replace roots of the given positive radicands by variables with known squares.
 
-    Roots of quotients and products go by those of their factors: sqrt((1 + e)/(1 - e))*sqrt(1 -
-    e**2) is 1 + e then.
+    Also returns these variables. Roots of quotients and products become those of their factors, so
+    that sqrt((1 + e)/(1 - e))*sqrt(1 - e**2) is 1 + e.
     """
     roots: dict[sp.Expr, sp.Symbol] = {}
     values = {radicand: _name_root(radicand, roots, is_positive) for radicand in radicands}
@@ -154,7 +154,7 @@ def name_roots(
 def _name_root(
     radicand: sp.Expr, roots: dict[sp.Expr, sp.Symbol], is_positive: Callable[[sp.Expr], bool]
 ) -> sp.Expr:
-    """Return a root as a product of those of its factors, if their signs are known."""
+    """Return a root as a product of those of its factors, if these are shown to have signs."""
 
     def name(factor: sp.Expr) -> sp.Symbol:
         return roots.setdefault(factor, sp.Dummy("root", positive=True))
@@ -173,9 +173,9 @@ def _name_root(
 
 
 def free_tangents(expression: sp.Expr) -> sp.Expr:
-    """Replace the tangent of an angle by any real number, where its sine and cosine do not occur.
+    """Replace the tangent of an angle by any real number if its sine and cosine do not occur.
 
-    Those of twice the angle are written by that number.
+    The sine and cosine of twice the angle are written by that number.
     """
     replacement: dict[sp.Basic, sp.Expr] = {}
     for angle in list_angles(expression):
@@ -186,12 +186,12 @@ def free_tangents(expression: sp.Expr) -> sp.Expr:
 
 
 def _write_by_tangent(angle: sp.Expr, t: sp.Symbol) -> dict[sp.Basic, sp.Expr]:
-    """Write the sine and the cosine of an angle by the tangent of its half."""
+    """Return the sine and the cosine of an angle by t, the tangent of its half."""
     return {sp.sin(angle): 2 * t / (1 + t**2), sp.cos(angle): (1 - t**2) / (1 + t**2)}
 
 
 def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
-    """Write sines and cosines of each angle by the tangent of its half."""
+    """Write sines, cosines and tangents of each angle by the tangent of its half."""
     replacement: dict[sp.Basic, sp.Expr] = {}
     for angle in list_angles(expression):
         t = _name_tangent(angle)
@@ -200,9 +200,9 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
 
 
 def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Write even powers of sines by cosines; what is left are independent real symbols.
+    """Write even powers of sines by cosines, with sines and cosines as real symbols.
 
-    Returned, too, are the symbols of the cosines, with their angles.
+    Also returns the symbols of the cosines, with their angles.
     """
     cosines: dict[sp.Symbol, sp.Expr] = {}
     replacement: dict[sp.Basic, sp.Expr] = {}
@@ -217,7 +217,7 @@ def write_by_cosines(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.E
 
 
 def _lower(polynomial: sp.Expr, squares: dict[sp.Pow, sp.Expr]) -> sp.Expr:
-    """Write a polynomial with every generator to at most its first power."""
+    """Write a polynomial with every generator in `squares` to at most its first power."""
     try:
         return reduce_polynomial(polynomial, squares)
     except sp.PolynomialError:
@@ -252,10 +252,10 @@ _RANGES: Mapping[type[sp.Basic], tuple[type[sp.Expr], sp.Expr, sp.Expr, int]] = 
 
 
 def list_by_values(slack: Slack) -> Iterator[tuple[Slack, Slack, Slack]]:
-    """Yield what says the same of the value of an inverse function: cos E > e for E < arccos e.
+    """Yield forms of a slack by what its inverse functions invert: cos E > e for E < arccos e.
 
-    It follows where the number compared with is not beyond the far end of the range, which comes
-    second, and implies the slack where it is not beyond the near end, which comes third.
+    Two slacks follow, each keeping the other number within one end of the function's range. Given
+    the first, the slack implies its new form; given the second, the new form implies the slack.
     """
     for term in sp.Add.make_args(slack.value):
         way, inverse = term.as_coeff_Mul()

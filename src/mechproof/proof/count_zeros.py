@@ -1,8 +1,8 @@
-"""Where a divisor is zero: there a side may have no value, or has one since SymPy cancelled u/u.
+"""Zeros of divisors, where a side has no value, or has one only since SymPy cancelled u/u.
 
-Of counts few whole numbers are tried elsewhere, and 17 is seldom among them: the zeros are solved
-for. A factorial has no value where its reciprocal is zero. Where a divisor is zero at single points
-of a line nothing is said: a quotient is meant where it has values.
+Other searches try few whole numbers as counts, seldom 17, say, so zeros are solved for here. A
+factorial has no value where its reciprocal is zero. Zeros of a divisor at single points of a line
+are not reported: a quotient is meant where it has values.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ _BITS = (64, 512)
 
 
 def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
-    """Return a point at which one side only has a value, for counts that make a divisor zero.
+    """Return a point whose counts make a divisor zero and where only one side has a value.
 
-    Empty if none is met.
+    Returns "" if none is met.
     """
     if not any(is_count(s, domain) for side in sides for s in find_free(side)):
         return ""
@@ -44,7 +44,7 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
-    """Say where a factorial below a line is that of a negative number, empty for nowhere."""
+    """Report where a factorial in a denominator has a negative argument, or return ""."""
     divisors = {d for side in sides for d in list_divisors(side) if find_free(d) <= find_free(side)}
     below = sorted((d for d in divisors if isinstance(d, sp.factorial)), key=sp.default_sort_key)
     met = ((one, zero) for one in below for x in list_ends(one) for zero in list_zeros(x, domain))
@@ -52,7 +52,7 @@ def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
-    """List what has counts and may be zero, and leaves a side without a value where it is."""
+    """Yield expressions with counts that may be zero and then leave a side without a value."""
     below = {divisor for side in sides for divisor in list_divisors(side)}
     # A factorial of a negative integer in a denominator is no pole: its reciprocal is zero there.
     above = {f for side in sides for f in find_parts(side, sp.factorial)} - below
@@ -65,9 +65,9 @@ def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr
 
 
 def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
-    """List what is zero where a factorial is the first of a negative number: (2n)! has steps of 2.
+    """List the numbers one of which is zero where a factorial's argument first becomes negative.
 
-    What a count is multiplied by says of how many.
+    The largest coefficient of a count sets how many: (2n)! has steps of 2.
     """
     (number,) = factorial.args
     steps = [abs(c) for c in number.as_coefficients_dict().values() if c.is_Integer]
@@ -77,9 +77,9 @@ def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
 def find_edge_without_value(
     sides: Sequence[sp.Expr], needs: Iterable[Slack], domain: Domain
 ) -> str:
-    """Return an interior point at which a need is just met, or not, and one side only has a value.
+    """Return an interior point on the edge of a condition where only one side has a value.
 
-    Empty if none is met: points that are tried elsewhere seldom lie there.
+    Returns "" if none is met: points that are tried elsewhere seldom lie on such an edge.
     """
     needs = tuple(needs)
     zeros = (
@@ -90,18 +90,18 @@ def find_edge_without_value(
 
 
 def _are_met(needs: Iterable[Slack], point: Point) -> bool:
-    """Return whether all needs are met at a point: in balls a zero may lie on either side."""
+    """Return whether all conditions hold exactly at a point; balls cannot decide at a zero."""
     numbers = ((need, need.value.xreplace(dict(point))) for need in needs)
     return all(x.is_positive or (x.is_zero and not need.strict) for need, x in numbers)
 
 
 def list_zeros(divisor: sp.Expr, domain: Domain) -> Iterator[Point]:
-    """Yield zeros in one count after the other, at a few values of the other letters."""
+    """Yield a divisor's zeros in each of its counts, at a few values of the other letters."""
     counts = frozenset(s for s in find_free(divisor) if is_count(s, domain))
     yield from _list_roots(divisor, domain, counts)
 
 
-# The rows of a paper share the conditions under which they have values.
+# Many rows of a paper have values under the same conditions.
 @lru_cache(maxsize=64)
 def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -> list[Point]:
     ordered, roots = sorted(letters, key=str), []
@@ -120,9 +120,9 @@ def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -
 
 
 def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
-    """Say which divisor that is cancelled is zero, at a count or at more than single points.
+    """Report which cancelled divisor is zero, at a count or at more than single points.
 
-    Empty for none.
+    Returns "" if there is none.
     """
     for divisor in divisors:
         resolved = domain.resolve(divisor)
@@ -141,7 +141,7 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def _is_zero(divisor: sp.Expr, point: Point) -> bool:
-    """Tell whether a number cannot be distinguished from zero."""
+    """Return whether a number cannot be distinguished from zero."""
     exact = put_exactly(divisor, point)
     found = (balls.evaluate(exact, point, bits) for bits in _BITS)
     return all(ball.is_finite() and ball.contains(0) for ball in found)

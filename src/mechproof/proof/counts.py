@@ -1,4 +1,4 @@
-"""Whole numbers at which a statement is tried: small ones first, unlike ones before like ones."""
+"""Whole numbers at which a statement is tried: small ones first, unequal before equal ones."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from mechproof.proof.signs import is_positive
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain, Point
 
-# A single term hides what goes wrong between terms, and no term hides everything, so the counts 1
-# and 0 do not come first.
+# A single term hides errors between terms, and no terms hide everything, so the counts 1 and 0 do
+# not come first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _MOST_TRIED = 2000
 _STEPS = (sp.floor, sp.ceiling, sp.sign, sp.Heaviside, sp.Mod, sp.Piecewise, sp.KroneckerDelta)
 
 
 def is_count(symbol: sp.Basic, domain: Domain) -> bool:
-    """Tell whether a symbol is a whole number that a finite set does not list."""
+    """Return whether a symbol is a whole number that no finite set lists."""
     return bool(symbol.is_integer) and not isinstance(domain.set_of(symbol), sp.FiniteSet)
 
 
 def has_steps(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a number does not run but goes in steps: counts, or jumps."""
+    """Return whether an expression is not continuous in its letters: it has counts or jumps."""
     resolved = domain.resolve(expression)
     runs = (isinstance(domain.set_of(s), sp.Interval) for s in resolved.free_symbols)
     counts = any(s.is_integer for s in resolved.free_symbols)
@@ -33,9 +33,10 @@ def has_steps(expression: sp.Expr, domain: Domain) -> bool:
 
 
 def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, Domain] | None:
-    """Replace a count by any real number from its first value on; None where it has no first one.
+    """Replace a count by any real number from its first value onwards; None if it has no first one.
 
-    Powers of what may be negative have no real values between whole exponents, factorials others.
+    None also if a power of a possibly negative base, which has no real values between whole
+    exponents, or a factorial contains it.
     """
     first = find_first(count, domain)
     if first is None or value.has(sp.factorial, *_STEPS):
@@ -50,7 +51,7 @@ def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, 
 
 
 def find_first(count: sp.Basic, domain: Domain) -> sp.Integer | None:
-    """Return a whole number that is known to be a lower bound of a count."""
+    """Return a whole number that is known to be a lower bound of a count, or None."""
     first = {sp.S.Naturals: sp.S.One, sp.S.Naturals0: sp.S.Zero}.get(domain.set_of(count))
     if first is None:
         return None
@@ -62,9 +63,9 @@ def find_first(count: sp.Basic, domain: Domain) -> sp.Integer | None:
 
 
 def choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> Iterator[Point]:
-    """Yield choices of counts that belong to points of the domain: small ones where there are.
+    """Yield choices of counts that belong to points of the domain, small ones if there are any.
 
-    Raises `RecordError` where none is found.
+    Raises `RecordError` if none is found.
     """
     if not counts:
         yield {}

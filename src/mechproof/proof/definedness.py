@@ -1,4 +1,4 @@
-"""Where an expression has a value: what of it is not shown on a domain."""
+"""Where an expression has a value: conditions for one that are not shown on a domain."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ from mechproof.statement_domains.domain import Domain
 
 
 class InnerNeed(NamedTuple):
-    """What a term of a sum or an integrand needs; the innermost variable comes first."""
+    """A condition for a sum's term or an integrand to have values; innermost variable first."""
 
     need: Slack
     limits: tuple[sp.Tuple, ...]
 
     def tell(self) -> str:
-        """Write it as a relation, with where its variables run."""
+        """Write it as a relation with the ranges of its variables."""
         runs = (f"{v} from {low} to {high}" for v, low, high in self.limits)
         return f"{tell(self.need)} for {' and '.join(runs)}"
 
 
 def list_unshown_inside(expression: sp.Basic, domain: Domain) -> list[InnerNeed]:
-    """List what terms of sums and integrands need to have values, as far as it is not shown."""
+    """List the unproved conditions for terms of sums and integrands to have values."""
     resolved = domain.resolve(expression)
     found = dict.fromkeys(_list_inside(resolved, ()) if resolved.has(ExprWithLimits) else ())
     return [one for one in found if not _is_shown_inside(one, domain)]
@@ -65,7 +65,7 @@ def _count(node: ExprWithLimits) -> ExprWithLimits:
 
 
 def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
-    """Tell whether a need is met wherever the variables run, also between whole numbers."""
+    """Return whether a condition holds wherever the variables run, also between whole numbers."""
     number, strict = one.need
     for variable, *ends in one.limits:
         low, high = ends[::-1] if (ends[0] > ends[1]) == sp.true else ends
@@ -80,9 +80,9 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
 
 
 def put_in(side: Any, domain: Domain) -> Any:
-    """Put in what symbols are given by; what cancels then is kept as needed for a value.
+    """Put in the given values of symbols; keep the conditions of parts that then cancel.
 
-    Raises `NotImplementedError` where a root, a logarithm or the like has no real value then.
+    Raises `NotImplementedError` where a root, a logarithm or the like then has no real value.
     """
     value = domain.resolve(side)
     if value == side:
@@ -100,14 +100,14 @@ def put_in(side: Any, domain: Domain) -> Any:
 
 
 def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
-    """List what roots, logarithms and so on need to have values, as far as it is not shown."""
+    """List the conditions for roots, logarithms and so on to have values that are not shown."""
     parts = list_partial(domain.resolve(expression))
     needs = dict.fromkeys(need for node in parts for need in list_needs(node))
     return [need for need in needs if not _is_shown(need, domain)]
 
 
 def has_values(expression: sp.Basic, domain: Domain) -> bool:
-    """Tell whether an expression is shown to have a value throughout the domain."""
+    """Return whether an expression is shown to have a value throughout the domain."""
     return (
         all(map(list_needs, list_partial(expression)))
         and not list_unshown(expression, domain)
@@ -116,9 +116,10 @@ def has_values(expression: sp.Basic, domain: Domain) -> bool:
 
 
 def list_necessary(expression: sp.Basic) -> list[Slack]:
-    """List what roots, logarithms and so on need, without which they have no value anywhere.
+    """List the conditions without which roots, logarithms and so on have no values at all.
 
-    A power of a negative number has values where a symbol in its exponent makes that whole.
+    Powers with symbols in the exponent are left out: of a negative number, such a power has values
+    wherever its exponent is whole.
     """
     parts = list_partial(expression)
     nodes = (part for part in parts if not (isinstance(part, sp.Pow) and part.exp.free_symbols))
@@ -126,14 +127,14 @@ def list_necessary(expression: sp.Basic) -> list[Slack]:
 
 
 def list_needed(expression: sp.Basic) -> list[Slack]:
-    """List what functions need to have values about a place, and with them derivatives there."""
+    """List the conditions for differentiated functions to have values all around a place."""
     nodes = sorted(expression.atoms(DerivativeWhere), key=sp.default_sort_key)
     needs = (need.value for node in nodes for need in list_necessary(node.args[1]))
     return [Slack(value, True) for value in dict.fromkeys(needs)]
 
 
 def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:
-    """Return the part of a domain on which needs are met, None where there is none."""
+    """Return the part of a domain on which the conditions hold, or None if there is none."""
     for number, strict in needs:
         factors = sp.Mul.make_args(sp.factor(number))
         rest = sp.Mul(*(factor for factor in factors if not is_positive(factor, domain)))
@@ -148,15 +149,16 @@ def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:
 
 
 def tell(need: Slack) -> str:
-    """Write a need as a relation."""
+    """Write a condition as a relation."""
     number, strict = need
     return f"{number} {'>' if strict else '>='} 0"
 
 
 def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domain: Domain) -> bool:
-    """Say whether all sides have values at the same points: what they need is proved equal.
+    """Return whether all sides are proved to have values at the same points.
 
-    This is not known of sums, integrals and cases, whose parts are not looked into.
+    They are if their conditions are proved equal. Sums, integrals and cases, whose parts are not
+    examined, give False.
     """
     parts = (node for side in sides for node in list_partial(domain.resolve(side)))
     if not all(map(list_needs, parts)):
@@ -166,7 +168,7 @@ def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domai
 
 
 def _covers(needs: list[Slack], others: list[Slack], domain: Domain) -> bool:
-    """Tell whether each of the others is one of the needs."""
+    """Return whether each of the others is one of the needs."""
     return all(any(_is_one(need, other, domain) for need in needs) for other in others)
 
 
@@ -186,7 +188,7 @@ def _is_shown(need: Slack, domain: Domain) -> bool:
 
 
 def _adds_squares(number: sp.Expr, domain: Domain) -> bool:
-    """Tell whether terms and the terms of sums are squares, which may all be zero."""
+    """Return whether a number is a sum, terms of sums included, of non-negative terms."""
     terms = canonicalise(number, domain)
     squares = {
         s: sp.Dummy("squares", nonnegative=True)

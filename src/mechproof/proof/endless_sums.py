@@ -1,13 +1,13 @@
-"""Sums without end: the limits of partial sums, and the series of known functions.
+"""Infinite sums: the limits of partial sums, and the series of known functions.
 
 SymPy proposes the partial sum, by Gosper's algorithm (1978); that of a geometric series is known.
 It counts if it begins and grows as the sum does, by induction, and has a limit. A sum is infinite
-whose terms have values and are in the end no less than those of c/k or c/(k*ln k), c > 0.
+if its terms have values and are eventually at least those of c/k or c/(k*ln k), c > 0.
 
-Of the series of elementary functions, and of zeta values, a term is known by the first one and by
-its quotient with the one before (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 3). SymPy
-simplifies that quotient; it has to be the one of a series of the table (Abramowitz, Stegun, 1964,
-chapters 3, 4 and 23) where that converges.
+In the series of elementary functions, and of zeta values, a term is known from the first one and
+from its quotient with the preceding one (Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 3).
+SymPy simplifies that quotient; it has to be that of a series of the table (Abramowitz, Stegun,
+1964, chapters 3, 4 and 23) where that converges.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ _ABOVE = sp.Dummy("above", integer=True, nonnegative=True)
 
 
 def settle_endless(expression: Any, domain: Domain) -> Any:
-    """Put the values of sums without end in their places, as far as they are shown."""
+    """Replace infinite sums by their values, as far as these are shown."""
     return put_values(expression, partial(_find_value, domain))
 
 
 def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
-    """Put values in the places of sums that have no letters of others; none leaves a sum.
+    """Replace sums and products without bound letters of others by their values, unless None.
 
-    Infinity is put for a sum that stands alone.
+    Infinity replaces only a sum that stands alone.
     """
     bound = set(find_bound(expression))
     sums = (s for s in find_parts(expression, sp.Sum, sp.Product) if not s.free_symbols & bound)
@@ -53,7 +53,7 @@ def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any
 
 
 def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:
-    """Return the term, the index and its first number; nothing of a sum that is too large."""
+    """Return the term, the index and its first number, or None if the term is too large."""
     (k, first, last), *others = total.limits
     term = total.function
     is_read = not others and last == sp.oo and first.is_Integer and term.count_ops() <= _LARGEST
@@ -82,7 +82,7 @@ def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
 
 
 def _propose(total: sp.Sum, domain: Domain) -> Iterator[sp.Expr]:
-    """Propose a partial sum: by Gosper's algorithm, as logarithm of a product, as arctangents."""
+    """Propose partial sums: by Gosper's algorithm, as a logarithm of a product, as arctangents."""
     term, (k, first, last) = total.function, total.limits[0]
     if (found := gosper_sum(term, (k, first, last))) is not None:
         yield found
@@ -93,7 +93,7 @@ def _propose(total: sp.Sum, domain: Domain) -> Iterator[sp.Expr]:
 
 
 def _propose_arctangents(total: sp.Sum) -> Iterator[sp.Expr]:
-    """Propose a sum of atan(c/(k**2 + b*k + d)), the change of atan(s/c*(k + (b - s)/2)) by s."""
+    """Propose the sum of atan(c/(k**2 + b*k + d)), which telescope by steps s of 1 or 2."""
     (k, first, last), *_ = total.limits
     above, below = (sp.Poly(part, k) for part in sp.fraction(sp.together(total.function.args[0])))
     if above.degree() != 0 or below.degree() != 2:
@@ -109,7 +109,7 @@ def _propose_arctangents(total: sp.Sum) -> Iterator[sp.Expr]:
 def _find_infinity(
     term: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain
 ) -> sp.Expr | None:
-    """Return plus or minus infinity, by which a harmonic series or a slower one is exceeded."""
+    """Return plus or minus infinity if a harmonic or slower series is exceeded, else None."""
     from_first = domain.with_set(_ABOVE, sp.S.Naturals0)
     running = term.subs(k, first + _ABOVE)
     counts = [factorial.args[0] for factorial in running.atoms(sp.factorial)]
@@ -140,9 +140,9 @@ _ODD = 2 * _J + 1
 
 @dataclass(frozen=True)
 class _Series:
-    """The quotient of two terms, and the value for a first term `first`.
+    """A series by the quotient of its terms, with its value for a first term `first`.
 
-    `positive` and `nonnegative` list what must be so where the series converges.
+    It converges where `positive` and `nonnegative` have the signs in their names.
     """
 
     quotient: sp.Expr
@@ -189,7 +189,7 @@ SERIES = (*_ELEMENTARY, *_ZETA)
 
 
 def settle_series(expression: Any, domain: Domain) -> Any:
-    """Put the values of known series in the places of sums without end."""
+    """Replace infinite sums by the values of known series."""
     return put_values(expression, partial(_find_known, domain))
 
 
@@ -219,9 +219,9 @@ def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
 def _find_weighted(
     term: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain
 ) -> sp.Expr | None:
-    """Return the sum of p(k)*a**k/k! or p(k)*a**k, p a polynomial.
+    """Return the sum of p(k)*a**k/k! or p(k)*a**k, p a polynomial, or None for other terms.
 
-    With the first i factors of k! for p they are a**i*e**a and i!*a**i/(1 - a)**(i + 1).
+    For p = k*(k - 1)*...*(k - i + 1) they are a**i*e**a and i!*a**i/(1 - a)**(i + 1).
     """
     weight = sp.Mul(*(f for f in sp.Mul.make_args(term) if f.has(k) and f.is_polynomial(k)))
     rest = (term / weight).subs(k, _J)
@@ -244,7 +244,7 @@ def _find_weighted(
 
 
 def _find_whole(term: sp.Expr, leading: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Return the value of a sum that begins with j = 0, if its series is known."""
+    """Return the value of a sum that begins with j = 0, or None if its series is not known."""
     quotient = hypersimp(term, _J)
     if leading == 0 or quotient is None or not quotient.is_rational_function(_J):
         return None
@@ -270,7 +270,7 @@ def _make_binomial(quotient: sp.Expr) -> Iterator[_Series]:
 
 
 def _find_arguments(quotient: sp.Expr, series: _Series, domain: Domain) -> Iterator[sp.Expr]:
-    """Yield the real argument with which a series has a quotient; 1 if the series has none."""
+    """Yield the real argument for which a series has this quotient; 1 if it has no argument."""
     scale = sp.cancel(quotient / series.quotient.subs(_A, 1))
     if scale.has(_J):
         return

@@ -85,7 +85,7 @@ IDENTICAL = "identical"
 
 
 def _decide_by_split_powers(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Prove sides equal whose powers of a base, x^n and x^(n - 1), are written by one of them."""
+    """Prove sides equal once powers of one base, x^n and x^(n - 1), are written by one of them."""
     difference = left - right
     split = split_powers(difference)
     return None if split == difference else decide_equal(split, sp.S.Zero, domain)
@@ -104,7 +104,7 @@ _LAST = (decide_by_quotients, decide_by_inverse, decide_by_telescoping, decide_b
 
 
 def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
-    """Return the rungs that prove sides equal wherever both have values, None for none."""
+    """Return the rungs that prove the sides equal wherever both have values, or None."""
     printed, rebuilt = (write_steps(take_values(side)) for side in (printed, rebuilt))
     if printed == rebuilt:
         return IDENTICAL
@@ -129,7 +129,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
 
 
 def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
-    """Prove sides equal where what roots, logarithms and so on of both need is given."""
+    """Prove sides equal where the conditions of their roots, logarithms and so on hold."""
     sides = take_values(printed), take_values(rebuilt)
     necessary = {need for side in sides for need in list_necessary(domain.resolve(side))}
     unshown = [need for side in sides for need in list_unshown(side, domain)]
@@ -138,7 +138,7 @@ def prove_where_defined(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> s
 
 
 def _prove_by_squares(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
-    """Prove sides equal whose roots of squares are written by moduli."""
+    """Prove sides equal after writing roots of squares as moduli."""
     letters = {letter for side in sides for letter in side.free_symbols}
     one, other = (write_roots(side, letters, domain) for side in sides)
     if (one, other) == tuple(sides):
@@ -148,7 +148,7 @@ def _prove_by_squares(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
 
 
 def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
-    """Prove sides equal for each sign of what stands in moduli."""
+    """Prove sides equal for each combination of signs of the arguments of moduli."""
     poles = list_poles(sides)
     # SymPy raises a TypeError where a condition compares numbers that may be complex.
     with suppress(TypeError):
@@ -169,7 +169,7 @@ _SETTLED = {
 
 
 class ContradictionError(RuntimeError):
-    """A rung proved what balls refute: a fault of the ladder itself."""
+    """A rung proved a statement that balls refute: a fault of the ladder itself."""
 
 
 def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
@@ -197,7 +197,7 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
 
 
 def settle_sides(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
-    """Put the values of integrals and endless sums in their places; name the rungs that do."""
+    """Replace integrals and infinite sums by their values; also name the rungs that found these."""
     rungs: list[str] = []
     for rung, settle in _SETTLED.items():
         settled = tuple(settle(side, domain) for side in sides)
@@ -251,7 +251,7 @@ def _report_equal(
 ) -> Answer:
     """Answer for sides that are equal where both have values: PROVED if they have them alike.
 
-    `is_alike`: beyond what they need it is shown that both have none.
+    `is_alike`: wherever their conditions fail, it is shown that neither side has a value.
     """
     needs = [list_unshown(side, domain) for side in sides]
     part = narrow_to(domain, [*chain(*needs)]) if is_alike else None
@@ -276,9 +276,9 @@ def _report_equal(
 def _find_break(
     sides: tuple[sp.Expr, sp.Expr], needs: Sequence[list[Slack]], domain: Domain
 ) -> str:
-    """Return an interior point at which only one side has a value, empty if none is met.
+    """Return an interior point at which only one side has a value, or "" if none is met.
 
-    Where no point gives values to both, that is told as well.
+    If no point gives values to both sides, that is reported in its place.
     """
     undefined = _cross_examine(*sides, domain)
     if undefined == EVERY_POINT and any(needs):
@@ -293,7 +293,7 @@ def _find_break(
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
-    """Return an interior point at which only one side has a value, empty if there is none."""
+    """Return an interior point at which only one side has a value; raise if balls refute."""
     if printed == rebuilt and compare(printed, rebuilt, domain, 1, CROSS_PRECISION).agreeing:
         return ""
     comparison = compare(printed, rebuilt, domain, CROSS_EXAMINATION, CROSS_PRECISION)

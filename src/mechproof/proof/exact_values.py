@@ -1,12 +1,12 @@
-"""Rungs: exact numbers, which balls compare, and what has no value or is infinite.
+"""Rungs: exact numbers, compared by balls, and sides that are infinite or have no value.
 
 A printed number is recomputed with the rounding that the print implies.
 
-A number that is made of whole numbers by sums, products, quotients and roots, and of sines, cosines
-and tangents of parts of a turn, is the quotient of two algebraic integers whose conjugates have
-bounds. It is zero, or larger than what they and its degree give: the bound of Burnikel, Funke,
-Mehlhorn, Schirra and Schmitt (2001), with twice the cosine of a part of a turn as a further
-algebraic integer, no conjugate of which is beyond two.
+A number built from whole numbers by sums, products, quotients and roots, and from sines, cosines
+and tangents of rational parts of a turn, is the quotient of two algebraic integers whose conjugates
+have bounds. It is zero, or larger than a bound set by these and its degree: the bound of Burnikel,
+Funke, Mehlhorn, Schirra and Schmitt (2001), with twice the cosine of a part of a turn as another
+algebraic integer, whose conjugates are at most two in modulus.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ _GUARD_BITS = 64
 
 
 def resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
-    """Return the exact numbers that a relation compares; none where it compares no two numbers."""
+    """Return the exact numbers that a relation compares, or () if it has a side with letters."""
     sides = relation.args if isinstance(relation, Relational) else ()
     resolved = tuple(domain.resolve(side) for side in sides)
     return () if any(map(find_free, resolved)) else resolved
 
 
 def decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> Answer:
-    """Decide a relation without letters by balls of its sides, if it has two, and tell them."""
+    """Decide a relation without letters by balls, and report those of its sides, if any."""
     holds = balls.truth(relation, {}, 512)
     verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
     outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
@@ -58,12 +58,12 @@ def decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> A
 
 
 def write_value(value: sp.Expr) -> str:
-    """Return a value in words where it is infinite."""
+    """Return a value as text, with "infinity" spelt out."""
     return str(value).replace("oo", "infinity")
 
 
 def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
-    """Decide where SymPy says that a side has no value, or that one is infinite; None elsewhere."""
+    """Decide an equality with an infinite side, or one that has no value to SymPy; else None."""
     if any(side.has(sp.nan, sp.zoo) for side in sides):
         return Answer(Verdict.UNDECIDED, "none", "a side has no value for what is given")
     if not any(side in (sp.oo, -sp.oo) for side in sides):
@@ -113,7 +113,7 @@ class _NotAlgebraicError(ValueError):
 
 @dataclass(frozen=True)
 class _Bits:
-    """Bounds of the conjugates of two algebraic integers whose quotient is a number, in bits."""
+    """Bounds, in bits, on the conjugates of two algebraic integers whose quotient is a number."""
 
     above: int
     below: int
@@ -126,7 +126,7 @@ class _Bits:
         return _Bits(self.above + other.above, self.below + other.below)
 
     def extract(self, degree: int) -> _Bits:
-        """Return those of a root: of a*b**(k-1), over b, or of a over that of a**(k-1)*b."""
+        """Return the bounds for a root of a/b, as root(a*b**(k-1))/b or as a/root(a**(k-1)*b)."""
         above, below = self.above, self.below
         if above >= below:
             return _Bits(-(-(above + (degree - 1) * below) // degree), below)
@@ -139,20 +139,20 @@ class _Bits:
 
 @dataclass
 class _Extension:
-    """The roots and the parts of a turn that a number is made of."""
+    """The roots and the parts of a turn from which a number is built."""
 
     roots: dict[tuple[sp.Expr, int], None] = field(default_factory=dict)
     turn: int = 1
 
     def find_degree(self) -> int:
-        """Return the most that the degree of the number can be."""
+        """Return an upper bound for the degree of the number."""
         # cos(2*pi/n) has degree phi(n)/2, and all the cosines of its multiples lie in the same
         # field.
         circle = max(int(sp.totient(self.turn)) // 2, 1)
         return reduce(lambda total, root: total * root[1], self.roots, circle)
 
     def measure(self, number: sp.Expr) -> _Bits:
-        """Return the bits of a number; `_NotAlgebraicError` if none are known."""
+        """Return a number's bits, collecting its roots; `_NotAlgebraicError` if none are known."""
         if number.is_Rational:
             # A power of two above |p|, and the least one that is at least q.
             return _Bits(abs(int(number.p)).bit_length(), int(number.q - 1).bit_length())
@@ -175,7 +175,7 @@ class _Extension:
 
 
 def decide_by_separation(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if two numbers differ by less than different ones could, else None."""
+    """Return the rung if two numbers differ by less than unequal ones could, else None."""
     difference = domain.resolve(left - right)
     if difference.free_symbols:
         return None

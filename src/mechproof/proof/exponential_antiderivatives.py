@@ -12,7 +12,7 @@ from mechproof.proof.coordinates import HYPERBOLIC, write_by_exponentials
 
 
 def propose_by_exponentials(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate terms p(x)*exp(a*x)*cos(b*x + c), p a polynomial, by parts to the end."""
+    """Integrate terms p(x)*exp(a*x)*cos(b*x + c), p a polynomial, by repeated parts."""
     if not integrand.has(sp.exp, *HYPERBOLIC):
         return
     written = sp.expand(TR8(sp.expand(write_by_exponentials(integrand))))
@@ -24,9 +24,9 @@ def propose_by_exponentials(integrand: sp.Expr, variable: sp.Symbol) -> Iterator
 def write_by_power(
     integrand: sp.Expr, variable: sp.Symbol, t: sp.Symbol
 ) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return an integrand by t, of which all exponentials are powers, and t by the variable.
+    """Return the integrand in t, an exponential that all others are powers of, and t itself.
 
-    None where it is not rational in one exponential.
+    The integrand is divided by dt/dx. None if it is not rational in one exponential.
     """
     written = write_by_exponentials(integrand)
     nodes = [node for node in written.atoms(sp.exp) if node.has(variable)]

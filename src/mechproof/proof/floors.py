@@ -1,9 +1,9 @@
-"""Rung: floors which go on alike after a period, step by step; and what they leave.
+"""Rung: sums of floors that repeat after a period, checked step by step; and their fractions.
 
 A sum of multiples of floors of q*x + r, q and r rational, is constant between the places where one
-of these is whole, and repeats itself if the multiples of q add up to nothing (Graham, Knuth,
-Patashnik, Concrete Mathematics, 1994, chapter 3). Of a polynomial of whole numbers over m a floor
-leaves what only their remainders by m tell.
+of these arguments is whole, and is periodic if the multiples of q add up to zero (Graham, Knuth,
+Patashnik, Concrete Mathematics, 1994, chapter 3). For a polynomial of whole numbers over m, the
+difference to its floor depends only on their remainders modulo m.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _MOST_STEPS = 200
 
 
 def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right for all numbers by the steps within a period."""
+    """Return the rung if left = right at and between all steps within a period, else None."""
     difference = domain.resolve(left - right)
     # Most statements have no floors, and expanding some of them takes seconds.
     if not difference.has(sp.floor):
@@ -60,7 +60,7 @@ def decide_by_floors(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | Non
 
 
 def _take_whole_out(argument: sp.Expr) -> sp.Expr:
-    """Return a floor with a number from 0 to below 1 as the only one in its argument."""
+    """Return a floor whose argument has a constant term from 0 to below 1, plus the rest."""
     argument = sp.expand(argument)
     number, _ = argument.as_coeff_Add()
     whole = sp.floor(number) if number.is_Rational else sp.S.Zero
@@ -70,7 +70,7 @@ def _take_whole_out(argument: sp.Expr) -> sp.Expr:
 def _is_zero_by_remainders(
     difference: sp.Expr, floors: Iterable[sp.Expr], letters: list[sp.Symbol]
 ) -> bool:
-    """Tell whether a sum of multiples of floors is zero for all whole numbers."""
+    """Return whether a sum of multiples of floors is zero for all whole numbers."""
     arguments = {one: one.args[0] for one in floors}
     if not all(argument.is_polynomial(*letters) for argument in arguments.values()):
         return False
@@ -86,14 +86,14 @@ def _is_zero_by_remainders(
 
 
 def _list_left_out(x: sp.Symbol, period: int, domain: Domain) -> list[sp.Expr]:
-    """List what is said not to be zero, and repeats itself: x less its floor, for no whole x."""
+    """List periodic expressions stated to be nonzero, as x - floor(x) is for non-integer x."""
     said = (relation.lhs - relation.rhs for relation in domain.where if isinstance(relation, sp.Ne))
     alone = (sp.expand(number) for number in said if number.free_symbols == {x})
     return [n for n in alone if n.has(sp.floor) and sp.expand(n.subs(x, x + period) - n) == 0]
 
 
 def _list_steps(argument: sp.Expr, x: sp.Symbol, period: int) -> list[sp.Rational]:
-    """List 0, the period, and where a linear expression is whole between."""
+    """List 0, the period, and the places within it where a linear expression is whole."""
     slope, start = sp.diff(argument, x), argument.subs(x, 0)
     ends = sorted((start, start + slope * period))
     wholes = range(int(sp.ceiling(ends[0])), int(sp.floor(ends[1])) + 1)
@@ -102,9 +102,9 @@ def _list_steps(argument: sp.Expr, x: sp.Symbol, period: int) -> list[sp.Rationa
 
 
 def leave_fractions(number: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
-    """Write floors of u as u - t, t any number from 0 to below 1, in a domain with these.
+    """Write floor(u) as u - t with t in [0, 1), and return the domain that includes these t.
 
-    A letter that begins somewhere is its floor and t: what that begins with is seen.
+    A letter with a lower bound is written as its floor plus t, which keeps the bound visible.
     """
     tied = {letter for relation in domain.where for letter in relation.free_symbols}
     while floors := number.atoms(sp.floor):

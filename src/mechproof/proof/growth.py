@@ -1,10 +1,11 @@
-"""Limits from one side, by how fast parts grow: those that are shown, nothing else.
+"""Limits from one side, by how fast parts grow: only those that are proved.
 
-The variable is written so that it goes to infinity. A product is compared with
+The variable is written so that it tends to infinity. A product is compared with
 c*exp(a*y)*y**p*(ln y)**q: exponentials beat powers, powers beat logarithms (Hardy, Orders of
 Infinity, 1910). The algorithm of Gruntz (1996) ranks the parts of any expression of exponentials
-and logarithms, and asks an oracle whether a leading coefficient is zero; here scales are these
-alone, and the sign of each exponent and coefficient is proved on the domain, or there is no answer.
+and logarithms, and asks an oracle whether a leading coefficient is zero; here these scales
+are the only ones, and each exponent's and coefficient's sign is proved on the domain, or there is
+no answer.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ _FACTORIALS = (sp.factorial, sp.gamma)
 def find_limit(
     expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
 ) -> sp.Expr | None:
-    """Return the limit as x comes to a point from above (1) or below (-1), None if not shown."""
+    """Return the limit as x tends to a point from above (1) or below (-1), or None if not shown."""
     written = _write_far_out(expression, x, point, side)
     if written.has(*_UNREAD):
         return None
@@ -57,7 +58,7 @@ def find_limit(
 def is_defined_near(
     expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int, domain: Domain
 ) -> bool | None:
-    """Tell whether roots, logarithms and so on have values near a point; None if not shown."""
+    """Return whether roots, logarithms and so on have values near a point; None if not shown."""
     # The needs are read from the print: SymPy takes an imaginary root out of a negative radicand.
     needs = [need.value for part in list_partial(expression) for need in list_needs(part)]
     written = [_write_far_out(number, x, point, side) for number in (expression, *needs)]
@@ -72,7 +73,7 @@ def _write_far_out(expression: sp.Expr, x: sp.Symbol, point: sp.Expr, side: int)
 
 
 def _write_directions(expression: sp.Expr, domain: Domain) -> sp.Expr:
-    """Replace signs and absolute values of numbers whose direction far out is known."""
+    """Replace signs and moduli of numbers whose sign for all large y is known."""
     nodes = (node for node in expression.atoms(sp.sign, sp.Abs) if node.has(_Y))
     ways = {node: _find_direction_far_out(node.args[0], domain) for node in nodes}
     known = {node: sp.Integer(way) for node, way in ways.items() if way is not None}
@@ -82,7 +83,7 @@ def _write_directions(expression: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
-    """Return 1 or -1 for a number that is shown to be above or below zero in the end."""
+    """Return 1 or -1 if a number is shown to be positive or negative for all large y, else None."""
     limit = _find(number, domain, _DEEPEST)
     if limit is None or limit != 0:
         return None if limit is None else _direction(limit, domain)
@@ -91,7 +92,7 @@ def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
 
 
 def _direction(number: sp.Expr, domain: Domain) -> int | None:
-    """Return 1 or -1 for a number that is shown not to be zero."""
+    """Return the sign, 1 or -1, of a number that is shown to be nonzero, else None."""
     if number in (sp.oo, -sp.oo):
         return 1 if number == sp.oo else -1
     sign = find_sign(number, domain)
@@ -249,7 +250,7 @@ def _find_order(node: sp.Expr, domain: Domain, depth: int) -> Order | None:
 
 
 def _find_orders(parts: Sequence[sp.Expr], domain: Domain, depth: int) -> list[Order]:
-    """Return the orders of all parts, none where one is not known."""
+    """Return the orders of all parts, or an empty list if one is not known."""
     orders = [_find_order(part, domain, depth) for part in parts]
     known = [order for order in orders if order is not None]
     return known if len(known) == len(orders) else []
@@ -279,7 +280,7 @@ def _find_order_of_fraction(node: sp.Expr, domain: Domain) -> Order | None:
 
 
 def _find_order_of_sum(node: sp.Add, domain: Domain, depth: int) -> Order | None:
-    """Return the order of the terms that grow fastest, where they do not cancel."""
+    """Return the order of the terms that grow fastest, unless they cancel."""
     orders = _find_orders(node.args, domain, depth)
     if not orders:
         return None

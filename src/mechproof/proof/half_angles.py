@@ -1,10 +1,10 @@
-"""Signs of what is rational in sines, cosines and exponentials, on the ranges of their arguments.
+"""Signs of rational expressions in sines, cosines and exponentials over given ranges.
 
-Every angle is an integer multiple of a base angle, whose half has a tangent: where the angle runs
-within one turn, so does the tangent within an interval. Exponentials and hyperbolic functions are
-powers of one positive number. What is left is the sign of a quotient of polynomials (`signs`), for
-one variable decided by Sturm's theorem. It is the substitution by which rational functions of sines
-and cosines are integrated; here the half turn, which no tangent reaches, is looked at by itself.
+Every angle is an integer multiple of a base angle, whose half has a tangent: while the angle stays
+within one turn, its tangent runs over an interval. Exponentials and hyperbolic functions are powers
+of one positive number. That leaves the sign of a quotient of polynomials (`signs`), which Sturm's
+theorem decides for one variable. The substitution is the one that integrates rational functions of
+sines and cosines; here the half turn, which no tangent reaches, is examined separately.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _TRIED = 6
 
 
 def is_negative_somewhere(value: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a number is negative at one of a few points, before its sign is looked for."""
+    """Return whether a number is negative at one of a few points, before a proof is tried."""
     value = domain.resolve(value)
     try:
         points = domain.points(sorted(value.free_symbols, key=str), _TRIED)[: 2 * _TRIED]
@@ -78,7 +78,7 @@ def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign 
 
 
 def find_sign_there(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign that is proved in positive coordinates or in tangents of half angles."""
+    """Return the sign proved in positive coordinates, half-angle tangents, powers or factors."""
     found = None
     for find in (find_sign, find_sign_in_half_angles, _find_sign_of_powers, _find_sign_of_factors):
         sign = find(expression, domain)
@@ -89,7 +89,7 @@ def find_sign_there(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 
 def _find_sign_of_factors(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign of a product whose factors are shown each in its own way."""
+    """Return the sign of a product, each of whose factors is proved in its own way."""
     expression = domain.resolve(expression)
     if has_parts(expression, sp.Sum, sp.Integral, Root) or not is_workable(expression):
         return None
@@ -101,7 +101,7 @@ def _find_sign_of_factors(expression: sp.Expr, domain: Domain) -> StrictSign | N
 
 
 def _find_sign_of_powers(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign of a sum of powers of numbers that are not negative, nor all zero."""
+    """Return the sign of a sum of powers of non-negative numbers; strict if not all are zero."""
     powers = [term.as_base_exp() for term in sp.Add.make_args(domain.resolve(expression))]
     if len(powers) < 2 or all(exponent.is_Integer for _, exponent in powers):
         return None
@@ -114,7 +114,7 @@ def _find_sign_of_powers(expression: sp.Expr, domain: Domain) -> StrictSign | No
 
 
 def is_shown_there(slack: Slack, domain: Domain) -> bool:
-    """Tell whether a slack is proved to be positive, or not negative, in either."""
+    """Return whether `find_sign_there` shows a slack positive, or non-negative if not strict."""
     sign = find_sign_there(slack.value, domain)
     return sign is not None and sign.is_above(slack.strict)
 
@@ -134,7 +134,7 @@ def _name_ranges(
 
 
 def _find_range(node: sp.Expr, domain: Domain) -> sp.Interval:
-    """Return where the values of a monotonic function lie, those of its argument being known."""
+    """Return the range of a monotonic function's values, given what is known of its argument."""
     (argument,) = node.args
     values = _RANGES.get(type(node), sp.Interval(-sp.oo, sp.oo))
     direction = -1 if isinstance(node, sp.acos) else 1
@@ -151,7 +151,7 @@ def _find_range(node: sp.Expr, domain: Domain) -> sp.Interval:
 
 
 def _list_places(argument: sp.Expr, domain: Domain) -> list[sp.Expr]:
-    """List numbers to compare an argument with: the ends of its set, else a few usual ones."""
+    """List numbers to compare an argument with: finite ends of its set and a few usual ones."""
     values = domain.set_of(argument) if argument.is_Symbol else sp.S.Reals
     ends = (values.start, values.end) if isinstance(values, sp.Interval) else ()
     return [*(end for end in ends if end.is_finite), *_PLACES]
@@ -160,7 +160,7 @@ def _list_places(argument: sp.Expr, domain: Domain) -> list[sp.Expr]:
 def _write_exponentials(
     expression: sp.Expr, domain: Domain
 ) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
-    """Write exponentials as powers of positive numbers; return the sets of these, too."""
+    """Write exponentials as powers of positive variables; also return the variables' sets."""
     expression = write_by_exponentials(expression)
     denominators: dict[sp.Expr, int] = {}
     nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
@@ -177,7 +177,7 @@ def _write_exponentials(
 
 
 def _exponentiate(monomial: sp.Expr, domain: Domain) -> sp.Interval:
-    """Return where the exponential of a fraction of a monomial lies: above or below one."""
+    """Return the range of exp of a monomial's fraction: above or below one, if that is known."""
     sign = find_sign(monomial, domain)
     if sign is None:
         return sp.Interval.open(0, sp.oo)
@@ -187,7 +187,7 @@ def _exponentiate(monomial: sp.Expr, domain: Domain) -> sp.Interval:
 
 
 def _find_bases(expression: sp.Expr) -> dict[sp.Expr, int] | None:
-    """Return the monomials of angles with their denominators; None where multiples are many."""
+    """Return the angles' monomials with their denominators, or None if multiples are too large."""
     bases: dict[sp.Expr, int] = {}
     largest: dict[sp.Expr, sp.Rational] = {}
     for node in expression.atoms(*ANGULAR):
@@ -204,7 +204,7 @@ def _find_bases(expression: sp.Expr) -> dict[sp.Expr, int] | None:
 def _find_sign(
     expression: sp.Expr, bases: list[tuple[sp.Expr, int]], domain: Domain
 ) -> StrictSign | None:
-    """Replace one base angle by the tangent of its half, and go on with the others."""
+    """Replace one base angle by the tangent of its half, then recurse for the others."""
     if not bases:
         return None if expression.has(*ANGULAR) else find_sign(expression, domain)
     (monomial, denominator), *others = bases
@@ -227,7 +227,7 @@ def _find_sign(
 
 
 def _find_values(monomial: sp.Expr, domain: Domain) -> sp.Set:
-    """Return where a symbol, or a positive number times one, lies."""
+    """Return the set of a symbol, or of a positive number times a symbol."""
     factor, symbol = monomial.as_independent(*monomial.free_symbols, as_Add=False)
     values = domain.set_of(symbol) if symbol.is_Symbol else sp.S.Reals
     if factor == 1 or not (isinstance(values, sp.Interval) and factor.is_positive):
@@ -236,7 +236,7 @@ def _find_values(monomial: sp.Expr, domain: Domain) -> sp.Set:
 
 
 def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
-    """Return a centre of the base angle and its interval about it, a whole turn at most."""
+    """Return a centre of the base angle and its interval about it, at most a whole turn."""
     if isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite:
         ends = [end / denominator for end in values.args[:2]]
         # Shifts by quarter turns only swap sines and cosines or change their signs.
@@ -248,13 +248,13 @@ def _center(values: sp.Set, denominator: int) -> tuple[sp.Expr, sp.Interval]:
 
 
 def _expand(node: sp.Expr, monomial: sp.Expr, base: sp.Expr) -> sp.Expr:
-    """Write a function of multiples of the base angle by the sine and the cosine of it."""
+    """Write a function of multiples of the base angle by the base angle's sine and cosine."""
     argument = sp.expand(sp.expand(node.args[0]).subs(monomial, base))
     return sp.expand_trig(BY_SINES[node.func](sp.sin(argument), sp.cos(argument)))
 
 
 def _list_tangents(run: sp.Interval) -> sp.Interval:
-    """Return where the tangent of half an angle runs; at a half turn it is infinite."""
+    """Return the interval of the half-angle tangent; at a half turn it is infinite."""
     low = -sp.oo if run.start == -sp.pi else sp.tan(run.start / 2)
     high = sp.oo if run.end == sp.pi else sp.tan(run.end / 2)
     return sp.Interval(low, high, run.left_open, run.right_open)

@@ -1,15 +1,14 @@
 """Rungs: sums with n terms, and inequalities, from one whole number to the next.
 
 A sum has a value that begins and grows as the sum does: both sides are equal for the smallest n,
-and for every n their differences from the one before are: by induction they are equal for all. So
-geometric and telescoping sums are proved without being summed up; the value comes from the print
-(Petkovšek, Wilf, Zeilberger, A = B, 1996, chapter 1), and no algorithm has to find it, as that of
-Gosper (1978) would.
+and grow equally from each n to n + 1, so by induction they are equal for all n. Geometric and
+telescoping sums are thus proved without being evaluated; the value comes from the print (Petkovšek,
+Wilf, Zeilberger, A = B, 1996, chapter 1), so no algorithm such as Gosper's (1978) has to find it.
 
-Of an inequality D(n) > 0 holds for the first n, and D(n + 1) - c*D(n) >= 0 with some c > 0 from
-there on, so that it holds for all. With c = 1 that is a comparison of differences; with the
-quotient of a term of D and the one before, which is c for a power and n + 1 for a factorial, one of
-quotients. The step is an inequality of real numbers n, and shown as any other.
+An inequality D(n) > 0 holds for all n if it holds for the first n and, from there on,
+D(n + 1) - c*D(n) >= 0 for some c > 0. With c = 1 this compares differences; with c the quotient of
+successive terms of D (c for a power c**n, n + 1 for a factorial) it compares quotients. The step is
+an inequality in real numbers n, and is proved like any other.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
 def decide_by_quotients(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung if sides with factorials begin alike and grow by the same factor, else None.
 
-    Both are positive for all n, so that what is for n + 1 follows from what is for n.
+    Both sides are positive for all n, so equality at n implies equality at n + 1.
     """
     sides = [domain.resolve(side) for side in (left, right)]
     if not any(side.has(sp.gamma) for side in sides) or not all(s.is_positive for s in sides):
@@ -74,9 +73,9 @@ def decide_by_quotients(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
 
 
 def sum_up(body: sp.Expr, variable: sp.Symbol, domain: Domain) -> sp.Expr:
-    """Put the values that SymPy proposes in the places of sums and products, where proved.
+    """Replace sums and products up to a variable by values that SymPy proposes, where proved.
 
-    These go to a variable, which counts from 1.
+    The variable counts from 1.
     """
     count = sp.Dummy("n", integer=True, positive=True)
     counted = domain.with_set(count, sp.S.Naturals)
@@ -100,7 +99,7 @@ def _propose(total: sp.Sum | sp.Product) -> sp.Expr:
 
 
 def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:
-    """Work out sums to the index of the sum around them."""
+    """Evaluate inner sums whose upper limit contains the index of the enclosing sum."""
     summed = {}
     for total in difference.atoms(sp.Sum):
         inner, *outer = total.limits
@@ -111,7 +110,7 @@ def _sum_inside(difference: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
-    """Return the symbols up to which sums and products run from an integer, one for each term."""
+    """Return the counts up to which sums, products and integrals run, all of them plain."""
     sums = difference.atoms(*_TO_COUNTS)
     if any(len(limits) != 3 for total in sums for limits in total.limits):
         return set()
@@ -121,9 +120,9 @@ def _list_counts(difference: sp.Expr) -> set[sp.Symbol]:
 
 
 def is_plain(total: ExprWithLimits, count: sp.Symbol) -> bool:
-    """Tell whether the ends of the one index go on by whole steps with n, its terms without n.
+    """Return whether the one index's limits move by whole steps with n, with terms free of n.
 
-    Terms of a sum may change by one factor, as a^(n - k) does.
+    The terms of a sum may also change by a common factor, as a^(n - k) does.
     """
     (_, lower, upper), *others = total.limits
     if isinstance(total, sp.Integral):
@@ -145,7 +144,8 @@ def is_plain(total: ExprWithLimits, count: sp.Symbol) -> bool:
 def _change(total: ExprWithLimits, count: sp.Symbol) -> sp.Expr:
     """Return the factor by which the terms of a sum change from n to n + 1.
 
-    A power with a whole exponent changes by its base, also where that is zero.
+    A power with a whole exponent changes by its base, even where that is zero. If there is no such
+    factor, the index is returned.
     """
     if not total.function.has(count):
         return sp.S.One
@@ -159,7 +159,7 @@ def _change(total: ExprWithLimits, count: sp.Symbol) -> sp.Expr:
 
 
 def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
-    """Tell whether the step from n to n + 1 adds nothing to the difference."""
+    """Return whether the difference stays zero from n to n + 1."""
     before, following, products = follow(difference, count)
     if not products:
         return _vanishes(following - before, domain)
@@ -173,9 +173,9 @@ def _grows(difference: sp.Expr, count: sp.Symbol, domain: Domain) -> bool:
 
 
 def follow(number: sp.Expr, count: sp.Symbol) -> tuple[sp.Expr, sp.Expr, list[sp.Symbol]]:
-    """Return a number for n and for n + 1, its sums and products to n named.
+    """Return a number for n and for n + 1, with its sums and products up to n named.
 
-    The third result lists the names of those that are multiplied.
+    The third result lists the names of those that change by a factor.
     """
     totals = [total for total in number.atoms(*_TO_COUNTS) if total.has(count)]
     kept = {total: sp.Dummy() for total in totals}
@@ -187,7 +187,7 @@ def follow(number: sp.Expr, count: sp.Symbol) -> tuple[sp.Expr, sp.Expr, list[sp
 
 
 def _go_on(total: ExprWithLimits, count: sp.Symbol, value: sp.Symbol) -> sp.Expr:
-    """Return the value for n + 1, by the one for n: with the terms that come and go."""
+    """Return a total for n + 1 from its value for n, with the terms gained and lost."""
     index, lower, upper = total.limits[0]
     if isinstance(total, sp.Integral):
         moved = total.function.subs(index, index + upper)
@@ -218,7 +218,7 @@ Show = Callable[[Slack, Domain], str | None]
 
 
 def holds_by_steps(slack: Slack, domain: Domain, show: Show) -> bool:
-    """Tell whether a number is shown to be positive, or not negative, for all of a count."""
+    """Return whether induction shows a slack positive, or non-negative if it is not strict."""
     value = domain.resolve(slack.value)
     if value.count_ops() > _LARGEST or has_parts(value, sp.Integral, sp.Piecewise):
         return False
@@ -246,7 +246,7 @@ def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
 
 
 def _list_steps(value: sp.Expr, n: sp.Symbol) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Yield c with D(n + 1) - c*D(n), where nothing of sums and products to n is left in it."""
+    """Yield c and D(n + 1) - c*D(n) if the latter no longer contains sums or products up to n."""
     before, following, _ = follow(value, n)
     kept = before.free_symbols - value.free_symbols
     terms = [term for term in sp.Add.make_args(sp.expand(value)) if term.has(n)]
@@ -261,9 +261,9 @@ def _list_steps(value: sp.Expr, n: sp.Symbol) -> Iterator[tuple[sp.Expr, sp.Expr
 
 
 def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
-    """Tell whether D(n) and D(n + 1) have values for all n: a step from what has none says nothing.
+    """Return whether D(n) and D(n + 1) have values for all n; otherwise a step proves nothing.
 
-    The square root of x + n, which has values for more x with every n, begins for few.
+    The square root of x + n, for example, has values for more x as n grows.
     """
     for side in follow(value, n)[:2]:
         powers = [power for power in side.atoms(sp.Pow) if power.exp.has(n)]
@@ -278,7 +278,7 @@ def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
 
 
 def _name_factorials(value: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
-    """Replace factorials of numbers that are not negative by positive variables."""
+    """Replace factorials of non-negative numbers by positive variables."""
     nodes = [node for node in value.atoms(sp.factorial) if node.args[0].is_nonnegative]
     named = {node: sp.Dummy("factorial", positive=True) for node in nodes}
     positive = dict.fromkeys(named.values(), sp.Interval.open(0, sp.oo))
@@ -288,7 +288,7 @@ def _name_factorials(value: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
 def _let_run(
     factor: sp.Expr, rest: sp.Expr, n: sp.Symbol, strict: bool, domain: Domain
 ) -> tuple[sp.Expr, Domain] | None:
-    """Let n be real in a step whose factor is positive, or not negative if that is enough."""
+    """Let n be real in a step with a positive factor, or non-negative one if not `strict`."""
     rest, domain = _name_factorials(rest, domain)
     run = let_run(sp.Tuple(factor, rest), n, domain)
     if run is None:

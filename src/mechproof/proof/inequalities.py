@@ -1,14 +1,14 @@
 """Rungs of inequalities beyond the sign in positive coordinates.
 
-Roots and moduli are squared one after the other: p + q*r, r >= 0 and r**2 = b, is not negative if p
-and q are not, if q**2*b >= p**2 and q >= 0, or if p**2 >= q**2*b and p >= 0. A polynomial of few
-numbers that are not negative is looked at for every order of theirs, each written as the one below
-and a gap (successive difference substitution, Yang 2005). Numbers of which linear relations are
-said are written by the gaps of these.
+Roots and moduli are squared one after another: p + q*r, with r >= 0 and r**2 = b, is non-negative
+if p and q are, if q**2*b >= p**2 and q >= 0, or if p**2 >= q**2*b and p >= 0. A polynomial in a
+few non-negative numbers is examined for every order of them, each written as the one below plus a
+gap (successive difference substitution, Yang 2005). Numbers with given linear relations are
+written by the gaps of these relations.
 
-|u| is the largest of t*u, -1 <= t <= 1: a sum of moduli is no less than others if for each choice
-of signs of these, factors t are found with which both are the same. And |f(x) - f(y)| is no more
-than the largest slope of f times |x - y|.
+|u| is the largest of t*u, -1 <= t <= 1: a sum of moduli is at least another if, for each choice of
+signs in the latter, factors t are found with which both sums agree. And |f(x) - f(y)| is at most
+the largest slope of f times |x - y|.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _UNREAD = (sp.Sum, sp.Product, sp.Integral, sp.Indexed, sp.Piecewise, sp.Kroneck
 
 
 def show_sign(slack: Slack, domain: Domain) -> str | None:
-    """Return the rung that proves a number to be positive, or not negative; None for none."""
+    """Return the rung that proves a slack positive, or non-negative if not strict; else None."""
     if has_parts(slack.value, *_UNREAD) or slack.value.count_ops() > _LARGEST:
         return None
     if is_negative_somewhere(slack.value, domain):
@@ -68,7 +68,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
 
 
 def _by_values(slack: Slack, domain: Domain) -> bool:
-    """Compare an arc, such as an inverse sine, with another number by what it is the inverse of."""
+    """Compare an arc, such as an inverse sine, with another number by applying its inverse."""
     return any(
         not end.value.is_infinite and is_shown_there(end, domain) and show_sign(value, domain)
         for value, _, end in list_by_values(slack._replace(value=domain.resolve(slack.value)))
@@ -76,7 +76,7 @@ def _by_values(slack: Slack, domain: Domain) -> bool:
 
 
 def _by_orders(slack: Slack, domain: Domain) -> bool:
-    """Look at all orders of symbols that are not negative."""
+    """Prove the sign for every order of two or three non-negative symbols."""
     value = domain.resolve(slack.value)
     symbols = sorted(value.free_symbols, key=str)
     sets = [domain.set_of(s) for s in symbols]
@@ -103,7 +103,7 @@ def _holds_in_order(
 
 
 def _by_gaps(slack: Slack, domain: Domain) -> bool:
-    """Write numbers by the gaps of as many linear relations, a < b + c, which are independent.
+    """Write numbers by the gaps of as many independent linear relations, such as a < b + c.
 
     For the sides of a triangle this is Ravi's substitution.
     """
@@ -154,13 +154,13 @@ def _by_squares(slack: Slack, domain: Domain) -> bool:
 
 
 def _list_roots(value: sp.Expr) -> list[sp.Expr]:
-    """List square roots and moduli that stand in no other one, longest first."""
+    """List all square roots and moduli, longest first."""
     nodes = find_roots(value) | value.atoms(sp.Abs)
     return sorted(nodes, key=lambda n: (-n.count_ops(), sp.default_sort_key(n)))
 
 
 def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
-    """Tell whether a number is shown to be positive, or not negative."""
+    """Return whether a number is shown to be positive, or non-negative if not `strict`."""
     slack, has_roots = Slack(value, strict), bool(_list_roots(value))
     if is_shown_there(slack, domain):
         return True
@@ -176,7 +176,7 @@ def _holds(value: sp.Expr, strict: bool, domain: Domain, depth: int) -> bool:
 
 
 def isolate_root(value: sp.Expr, domain: Domain) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
-    """Yield p, q and b of p + q*sqrt(b), of the same sign as the number, for each outer root."""
+    """Yield p, q, b of p + q*sqrt(b), which has the number's sign, for each outermost root."""
     nodes = _list_roots(value)
     squares: dict[sp.Expr, sp.Expr] = {}
     for node in nodes:
@@ -218,7 +218,7 @@ def _write_square(node: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 def _holds_by_root(
     p: sp.Expr, q: sp.Expr, b: sp.Expr, strict: bool, domain: Domain, depth: int
 ) -> bool:
-    """Tell whether p + q*sqrt(b) is shown to be positive, or not negative."""
+    """Return whether p + q*sqrt(b) is shown to be positive, or non-negative if not `strict`."""
     if q == 0:
         return _holds(p, strict, domain, depth)
     gap = sp.expand(q**2 * b - p**2)
@@ -236,9 +236,9 @@ _MOST_SUBTRACTED = 4
 
 
 def holds_by_signs(slack: Slack, domain: Domain) -> bool:
-    """Tell whether moduli are no less than others and a number, whatever the signs are.
+    """Return whether a sum of moduli is at least other moduli and a rest, for all signs of these.
 
-    Powers stay as they are: high ones have too many terms.
+    Powers are not expanded: high ones have too many terms.
     """
     rest, factors = _read(domain.resolve(slack.value))
     above = {node: c for node, c in factors.items() if c > 0}
@@ -253,14 +253,14 @@ def holds_by_signs(slack: Slack, domain: Domain) -> bool:
 
 
 def _read(value: sp.Expr) -> tuple[sp.Expr, dict[sp.Abs, sp.Expr]]:
-    """Return the moduli with numbers before them, and what else is added."""
+    """Return the sum of all other terms, and the moduli with their numerical factors."""
     terms = sp.expand_mul(value).as_coefficients_dict()
     factors = {node: c for node, c in terms.items() if isinstance(node, sp.Abs)}
     return sp.Add(*(c * term for term, c in terms.items() if term not in factors)), factors
 
 
 def _is_reached(parts: list[sp.Expr], subtracted: sp.Expr) -> bool:
-    """Tell whether the sum of t*u and what is subtracted is a number from 0 on, for some t."""
+    """Return whether, for some t in [-1, 1], the sum of t*u plus `subtracted` is a number >= 0."""
     shares = [sp.Dummy("t", real=True) for _ in parts]
     equations: dict[sp.Expr, sp.Expr] = defaultdict(lambda: sp.S.Zero)
     for share, part in zip((sp.S.One, *shares), (subtracted, *parts), strict=True):
@@ -279,7 +279,7 @@ def _is_reached(parts: list[sp.Expr], subtracted: sp.Expr) -> bool:
 def holds_by_mean_value(
     slack: Slack, domain: Domain, show: Callable[[Slack, Domain], str | None]
 ) -> bool:
-    """Tell whether a multiple of |x - y| is no less than |f(x) - f(y)|, by the slope of f."""
+    """Return whether a multiple of |x - y| is at least |f(x) - f(y)|, by the slope of f."""
     rest, factors = _read(domain.resolve(slack.value))
     if slack.strict or rest != 0 or sorted(map(sp.sign, factors.values())) != [-1, 1]:
         return False

@@ -1,6 +1,6 @@
-"""Kinds of integrals that are worked out before others: improper ones, and those of integrals.
+"""Kinds of integrals that are treated before others: improper ones and iterated ones.
 
-Integrals of what is given by pieces: cut where a condition, a modulus or a floor changes.
+Integrals of functions given by pieces are cut where a condition, a modulus or a floor changes.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from mechproof.statement_domains.domain import Domain
 _MOST_ZEROS = 12
 
 
-# The rungs of a row ask it of the same integrals.
+# A row's rungs ask this repeatedly for the same integrals.
 @lru_cache(maxsize=256)
 def is_improper(integral: sp.Integral) -> bool:
-    """Tell whether a limit is infinite, or the integrand has no value there or between them."""
+    """Return whether a limit is infinite, or the integrand has no value there or between them."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return False
@@ -42,9 +42,9 @@ def is_improper(integral: sp.Integral) -> bool:
 
 
 def may_reach_zero(integral: sp.Integral, domain: Domain) -> bool:
-    """Tell whether a base, whose exponent is no whole number, may vanish between the limits.
+    """Return whether the base of a power with a non-integer exponent may vanish between limits.
 
-    The value computed for such a power holds a root, or a logarithm, of what may be negative.
+    A ball of such a power involves a root, or a logarithm, of a number that may be negative.
     """
     variable, *limits = integral.limits[0]
     bases = {p.base for p in integral.function.atoms(sp.Pow) if not p.exp.is_integer}
@@ -57,16 +57,16 @@ def may_reach_zero(integral: sp.Integral, domain: Domain) -> bool:
 
 
 def is_iterated(integral: sp.Integral) -> bool:
-    """Tell whether an integral is one of integrals."""
+    """Return whether an integral has several variables or an integral in its integrand."""
     return len(integral.limits) > 1 or integral.function.has(sp.Integral)
 
 
 def list_poles(
     integrand: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
-    """List places between the limits at which it is divided by zero, or a logarithm is infinite.
+    """List the places between the limits where a divisor is zero or a logarithm infinite.
 
-    Between limits with letters they are found where the variable is written by a number.
+    Between limits with letters, places are found at which the parameter of the path is a number.
     """
     place, ends = variable, (lower, upper)
     if not (lower.is_number and upper.is_number):
@@ -82,7 +82,7 @@ def list_poles(
 
 
 def changes_sign_at_pole(integral: sp.Integral, place: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an integrand is infinite like 1/x or more so, its signs unlike about a pole."""
+    """Return whether an integrand is at least like 1/x at a pole, with unlike signs around it."""
     integrand, (variable, *_) = integral.args
     sides = [find_residue(integrand, variable, place, side, domain) for side in (1, -1)]
     if None in sides:
@@ -107,9 +107,9 @@ def find_residue(
 def list_zeros_between(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr
 ) -> list[sp.Expr]:
-    """List zeros between the limits of a polynomial, or of a*sin(u) + b*cos(u), u a multiple.
+    """List the zeros between the limits of a polynomial or of a*sin(u) + b*cos(u), u linear.
 
-    A missed zero does no harm, as no sign is then shown beside it.
+    A missed zero does no harm, as no sign is then shown next to it.
     """
     if not (lower.is_number and upper.is_number):
         return []
@@ -140,7 +140,7 @@ _MOST_STEPS = 64
 
 
 def has_pieces(integrand: sp.Expr, variable: sp.Symbol) -> bool:
-    """Tell whether an integrand is given by pieces in the variable."""
+    """Return whether an integrand is given by pieces in the variable."""
     return any(node.has(variable) for node in integrand.atoms(*_BY_PIECES))
 
 
@@ -166,10 +166,10 @@ def cut_at_seams(integral: sp.Integral, domain: Domain) -> list[sp.Integral]:
 
 
 def integrate_polynomials(integral: sp.Integral) -> sp.Expr | None:
-    """Return the value by pieces that are polynomials on both sides of one place.
+    """Return the value if the pieces are polynomials on both sides of one place, else None.
 
-    The antiderivative is zero there on both sides, and so continuous: the limits may lie in any
-    order. None for another integrand.
+    The antiderivatives on both sides are zero at that place, so they join continuously and the
+    limits may lie in any order.
     """
     integrand, (variable, lower, upper) = integral.args
     written = _write(integrand, variable)
@@ -190,9 +190,9 @@ def integrate_polynomials(integral: sp.Integral) -> sp.Expr | None:
 
 
 def _write(integrand: sp.Expr, variable: sp.Symbol) -> sp.Expr:
-    """Write moduli, signs, largest and smallest numbers that have the variable by pieces.
+    """Write moduli, signs, maxima and minima that contain the variable by pieces.
 
-    The argument of a sign is zero at single places only, where the integrand does not count.
+    The argument of a sign is zero only at single places, where the integrand does not count.
     """
     nodes = [node for node in integrand.atoms(*IN_PIECES) if node.has(variable)]
     numbers = {node.args[0] for node in nodes if isinstance(node, sp.sign)}
@@ -225,7 +225,7 @@ def _cut_at_steps(written: sp.Expr, floor: sp.Expr, limits: sp.Tuple) -> list[sp
 
 
 def _find_condition(written: sp.Expr, variable: sp.Symbol) -> Relational | None:
-    """Return a condition of the variable that holds no pieces itself, None for none."""
+    """Return a condition on the variable that contains no pieces itself, or None."""
     pieces = written.atoms(sp.Piecewise)
     found = {c for piece in pieces for _, cond in piece.args for c in cond.atoms(Relational)}
     plain = (c for c in found if c.has(variable) and not c.has(sp.Piecewise) and find_slack(c))
@@ -235,7 +235,7 @@ def _find_condition(written: sp.Expr, variable: sp.Symbol) -> Relational | None:
 def _list_seams(
     inner: sp.Expr, variable: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain
 ) -> list[sp.Expr]:
-    """List zeros between the limits, of what is linear also a letter that is shown to lie there."""
+    """List a seam's places between the limits; with letters, only of a linear `inner`."""
     slope = sp.diff(inner, variable)
     place, run = parametrise(variable, lower, upper)
     moved = sp.expand(inner.subs(variable, place))

@@ -1,10 +1,10 @@
-"""Rung: an integral whose integrand holds a whole number n, from one n to the next by parts.
+"""Rung: an integral whose integrand contains a whole number n, from one n to the next by parts.
 
-With f(n, x) the integrand and g(n) the growth of the value, f(n + 1, x) - g(n)*f(n, x) is the
-derivative of R*f(n, x), R a polynomial in x and the functions of x in f, and R*f vanishes at the
-ends alike (Almkvist, Zeilberger, The method of differentiating under the integral sign, 1990). R is
-solved for; what counts is that its identity is proved, that the integrand and R*f are continuous
-between the limits, and that the value for the first n is shown.
+With the integrand f(n, x) and the growth g(n) of the value, f(n + 1, x) - g(n)*f(n, x) is the
+derivative of R*f(n, x), R a polynomial in x and in the functions of x in f, and R*f has equal
+limits at both ends (Almkvist, Zeilberger, The method of differentiating under the integral sign,
+1990). R is solved for; what counts is that its identity is proved, that the integrand and R*f are
+continuous between the limits, and that the value for the first n is shown.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _MOST_PARTS = 3
 
 
 class _Claim(NamedTuple):
-    """An integral between limits, or a derivative of order n, is the value for all n."""
+    """The claim that an integral, or a derivative of order n, equals `value` for all n."""
 
     integral: sp.Integral | NthDerivative
     value: sp.Expr
@@ -47,9 +47,9 @@ class _Claim(NamedTuple):
 
 
 class Settled(NamedTuple):
-    """Both sides with the value of an improper integral in its place, and the rungs that prove it.
+    """Both sides with an improper integral replaced by its value, and the rungs that prove it.
 
-    What is computed of such an integral is no ball at any number.
+    Balls would enclose no value of such an integral at any number.
     """
 
     printed: sp.Expr
@@ -58,7 +58,7 @@ class Settled(NamedTuple):
 
 
 def settle_by_parts(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> Settled | None:
-    """Put in the value that left = right says of an improper integral with n in it, if proved."""
+    """Put in the value that left = right gives for an improper integral with n, if proved."""
     integrals = {node for side in (left, right) for node in find_parts(side, sp.Integral)}
     if len(integrals) != 1 or not all(map(is_improper, integrals)):
         return None
@@ -70,7 +70,7 @@ def settle_by_parts(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove)
 
 
 def decide_by_parts(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> str | None:
-    """Return the rungs if left = right says what the one integral or derivative is."""
+    """Return the rungs if left = right gives the value of its only integral or derivative."""
     found = _find(left, right, domain, prove)
     return found[1] if found else None
 
@@ -89,7 +89,7 @@ def _find(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> tuple[
 
 
 def _list_beginnings(claim: _Claim, domain: Domain) -> Iterator[tuple[_Claim, Domain]]:
-    """Yield a claim with where n begins, and with n from 0 on if it begins with 1."""
+    """Yield a claim with its domain, and also with n from 0 on if n begins with 1."""
     yield claim, domain
     integral, value, n = claim
     if find_first(n, domain) == 1:
@@ -100,7 +100,7 @@ def _list_beginnings(claim: _Claim, domain: Domain) -> Iterator[tuple[_Claim, Do
 
 
 def _list_claims(difference: sp.Expr, domain: Domain) -> Sequence[_Claim]:
-    """Solve a difference that is zero for the one integral or derivative in it."""
+    """Solve a difference that is zero for its only integral or derivative; one claim for each n."""
     integrals = difference.atoms(sp.Integral, NthDerivative)
     if len(integrals) != 1 or difference.has(sp.Sum, sp.Product, *KINKED):
         return []
@@ -120,7 +120,7 @@ def _list_claims(difference: sp.Expr, domain: Domain) -> Sequence[_Claim]:
 
 
 def _goes_up(n: sp.Symbol, domain: Domain) -> bool:
-    """Tell whether n begins somewhere, and what is said of it for n + 1 holds for n as well."""
+    """Return whether n has a first value, and conditions at n + 1 imply those at n."""
     slacks = [find_slack(relation) for relation in domain.where if relation.has(n)]
     ends = [slack.value for slack in slacks if slack]
     is_plain = all(end.free_symbols == {n} or sp.diff(end, n).is_nonpositive for end in ends)
@@ -128,9 +128,9 @@ def _goes_up(n: sp.Symbol, domain: Domain) -> bool:
 
 
 def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
-    """Tell whether a derivative of order n + 1 is that of the one of order n.
+    """Return whether the derivative of order n + 1 follows from the one of order n.
 
-    It must be one near each place: nothing may bind x to a single place or to n.
+    It must be a derivative near each place: nothing may bind x to a single place or to n.
     """
     (inside, by, x, order), value, n = claim.integral.args, *claim[1:]
     within = domain.set_of(x)
@@ -149,7 +149,7 @@ def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
 
 
 def _goes_on(claim: _Claim, domain: Domain) -> bool:
-    """Tell whether a claim holds for n + 1 if it does for n."""
+    """Return whether a claim holds for n + 1 if it does for n."""
     integral, value, n = claim
     x, lower, upper = integral.limits[0]
     place, run = parametrise(x, lower, upper)
@@ -174,7 +174,7 @@ def _goes_on(claim: _Claim, domain: Domain) -> bool:
 
 
 def _solve(slope: sp.Expr, step: sp.Expr, x: sp.Symbol, domain: Domain) -> sp.Expr | None:
-    """Return R with R' + R*slope = step, None where none is found that always has a value."""
+    """Return R with R' + R*slope = step, or None if none is found that always has a value."""
     functions = {f for f in (slope + step).atoms(sp.Function) if f.has(x)}
     waves = {f.args[0] for f in functions if isinstance(f, sp.sin | sp.cos)}
     functions |= {wave(angle) for angle in waves for wave in (sp.sin, sp.cos)}

@@ -1,10 +1,10 @@
 """Rung: a definite integral has the value that an antiderivative gives.
 
 SymPy only proposes the antiderivative. It counts if its derivative is proved to be the integrand
-inside the limits and both are continuous up to them: the fundamental theorem of calculus. To
-believe no finder, but to check what it finds, is the way of Harrison and Théry (1998) with HOL and
-Maple. An improper integral has the value of the limits at its ends, where these are shown, and of
-the pieces between numbers at which the integrand is divided by zero; it may be infinite.
+inside the limits and both are continuous up to them: the fundamental theorem of calculus. Trusting
+no finder but checking its findings follows Harrison and Théry (1998), who did so with HOL and
+Maple. An improper integral has the value of the limits at its ends, if these are shown, and is cut
+at numbers where the integrand is divided by zero; its value may be infinite.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 def decide_by_antiderivative(
     left: sp.Expr, right: sp.Expr, domain: Domain, prove: Callable[..., str | None]
 ) -> str | None:
-    """Return the rungs if left = right is proved with the values of integrals, else None."""
+    """Return the rungs that prove left = right with the values of integrals, or None."""
     sides = (domain.resolve(left), domain.resolve(right))
     integrals = list_free(*sides)
     if not integrals or are_seen_to_differ(sides, domain):
@@ -86,7 +86,7 @@ def find_counterexample(
     domain: Domain,
     settle: Callable[[Sequence[sp.Expr], Domain], tuple[tuple[sp.Expr, ...], list[str]]],
 ) -> Evidence | None:
-    """Return a point at which improper integrals with letters are worked out, and sides differ."""
+    """Return a point at which sides with improper integrals are evaluated and differ, or None."""
     if not any(is_improper(node) and node.free_symbols for node in list_free(*sides)):
         return None
     for point in points_for((*sides,), domain, _FEWEST):
@@ -100,7 +100,7 @@ def find_counterexample(
 
 
 def settle_improper(expression: Any, domain: Domain) -> Any:
-    """Put the values of integrals that balls do not enclose in their places, as far as shown."""
+    """Replace integrals that balls do not enclose by their values, as far as these are shown."""
 
     def is_met(node: sp.Integral) -> bool:
         is_plain = not (is_improper(node) or is_iterated(node))
@@ -113,13 +113,13 @@ def settle_improper(expression: Any, domain: Domain) -> Any:
 def put_values(
     expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool] = lambda node: True
 ) -> Any:
-    """Put values of integrals in their places as far as shown; infinite ones that stand alone."""
+    """Replace integrals by their values as far as shown; infinite ones only if they stand alone."""
     met = filter(is_met, list_free(expression))
     return put_found(expression, {node: _find_value(node, domain) for node in met})
 
 
 def list_free(*sides: Any) -> list[sp.Integral]:
-    """List the integrals of which no symbol is bound, here or elsewhere in the sides."""
+    """List the integrals none of whose free symbols is bound anywhere in the sides."""
     bound = {symbol for side in sides for symbol in find_bound(side)}
     found = {node for side in sides for node in find_parts(side, sp.Integral)}
     return sorted((node for node in found if not node.free_symbols & bound), key=str)
@@ -168,7 +168,7 @@ def cut_at_poles(integral: sp.Integral) -> list[sp.Integral]:
 
 
 def _add_up(parts: Sequence[sp.Expr | None]) -> sp.Expr | None:
-    """Return a sum, which may be infinite; None where that has no value or a part is not known."""
+    """Return a sum, possibly infinite; None if it has no value or a part is not known."""
     known = [part for part in parts if part is not None]
     endless = {part for part in known if part.is_infinite}
     if len(known) < len(parts) or len(endless) > 1:
@@ -177,7 +177,7 @@ def _add_up(parts: Sequence[sp.Expr | None]) -> sp.Expr | None:
 
 
 def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    """Return the value of an integral of the mean of the integrand and its mirror image."""
+    """Return an integral's value, found from the mean of integrand and mirror image; or None."""
     variable, lower, upper = integral.limits[0]
     if lower.is_infinite or upper.is_infinite:
         return None
@@ -195,10 +195,9 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
 
 
 def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    """Return the value if the integrand and the same from the other end have a constant sum.
+    """Return the value if the integrand and its mirror image have a constant sum, else None.
 
-    Where neither is negative both lie between zero and that sum, whatever becomes of their parts at
-    the ends.
+    As neither is negative, both lie between zero and that sum, whatever their parts do at the ends.
     """
     variable, lower, upper = integral.limits[0]
     place, run = parametrise(variable, lower, upper)
@@ -216,7 +215,7 @@ def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | N
 
 
 def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    """Return the value of an integral of integrals, which are worked out between its limits."""
+    """Return the value of an iterated integral whose inner integrals are evaluated first."""
     *inner, (variable, *ends) = integral.limits
     if len(ends) != 2 or _jumps(integral, domain):
         return None
@@ -232,7 +231,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
 
 
 def _jumps(integral: sp.Integral, domain: Domain) -> bool:
-    """Tell whether the integrand is not shown to be continuous in the outermost variable."""
+    """Return whether the integrand is not shown to be continuous in the outermost variable."""
     if any(len(limit) != 3 for limit in integral.limits):
         return True
     running, inside = integral.function, domain
@@ -245,7 +244,7 @@ def _jumps(integral: sp.Integral, domain: Domain) -> bool:
 def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domain) -> bool:
     """Return whether an integrand is odd, and continuous from one end to the opposite one.
 
-    Over the whole line it has to come to nothing faster than a power of 1/x that is integrated.
+    Over the whole line it must also fall faster than the power 9/8 of 1/x, which is integrable.
     """
     is_endless = end.is_infinite is True
     size, upper = (sp.S.One, sp.oo) if is_endless else (end, sp.S.One)
@@ -260,7 +259,7 @@ def _is_odd(integrand: sp.Expr, variable: sp.Symbol, end: sp.Expr, domain: Domai
 
 
 def _find_by_antiderivative(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    """Return the difference of an antiderivative, of its limits where it has no values itself."""
+    """Return the difference of an antiderivative's values, or of its limits, at the ends."""
     for candidate, run in list_antiderivatives(integral, domain):
         low, high = find_ends(candidate, integral.variables[0], run, domain)
         value = None if low is None or high is None else _add_up([high, -low])
@@ -272,7 +271,7 @@ def _find_by_antiderivative(integral: sp.Integral, domain: Domain) -> sp.Expr | 
 def list_antiderivatives(
     integral: sp.Integral, domain: Domain
 ) -> Iterator[tuple[sp.Expr, sp.Interval]]:
-    """List antiderivatives that are shown to be continuous between the limits, and where these are.
+    """Yield antiderivatives shown to be continuous between the limits, with the variable's range.
 
     The variable is written by one that runs between numbers.
     """
@@ -296,9 +295,9 @@ def list_antiderivatives(
 
 
 def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a candidate divides by a number of steps that may be zero: sin(n*x)/n.
+    """Return whether a candidate divides by a discrete number that may be zero, as sin(n*x)/n.
 
-    What is divided by a number that runs has the same value beside its zero, and there.
+    A divisor that varies continuously does no harm: values next to its zero settle the one there.
     """
     below = (
         power.base for power in candidate.atoms(sp.Pow) if power.exp.could_extract_minus_sign()
@@ -309,14 +308,14 @@ def _may_divide_by_zero(candidate: sp.Expr, domain: Domain) -> bool:
 def find_ends(
     candidate: sp.Expr, variable: sp.Symbol, run: sp.Interval, domain: Domain
 ) -> list[sp.Expr | None]:
-    """Return what an antiderivative comes to at both ends, None where it is not shown."""
+    """Return the limits of an antiderivative at both ends, None for each that is not shown."""
     return [_find_end(candidate, variable, end, run, domain) for end in (run.start, run.end)]
 
 
 def _find_end(
     candidate: sp.Expr, variable: sp.Symbol, end: sp.Expr, run: sp.Interval, domain: Domain
 ) -> sp.Expr | None:
-    """Return the value that an antiderivative comes to at an end, None if it is not shown."""
+    """Return the limit of an antiderivative at an end, or None if it is not shown."""
     if end.is_finite:
         near = sp.Interval(run.start, run.end, end != run.start, end != run.end)
         value = candidate.subs(variable, end)

@@ -1,8 +1,8 @@
 """Rung: an inequality of integrals by the sign of what is integrated.
 
-A number beside integrals over the same finite interval is the integral of as much for each unit of
-its length: A is no more than the integral of f from a to b if A/(b - a) is no more than f between
-them. The integrand has to be continuous up to both ends, so that there is an integral.
+A number added to integrals over one finite interval is the integral of a constant: A is at most
+the integral of f from a to b if A/(b - a) is at most f in between. The integrand has to be
+continuous up to both ends, so that the integral exists.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RUNG = "sign of the integrand"
 
 
 def holds_by_integrand(slack: Slack, domain: Domain, show: Callable[[Slack, Domain], bool]) -> bool:
-    """Tell whether a number with integrals is shown to be positive, or not negative, by `show`."""
+    """Return whether `show` proves a number with integrals positive, or non-negative if allowed."""
     value = domain.resolve(slack.value)
     moduli = sorted((m for m in value.atoms(sp.Abs) if has_parts(m, sp.Integral)), key=str)
     if not moduli:
@@ -71,7 +71,7 @@ def _is_shown(
 
 
 def _has_integral(f: sp.Expr, x: sp.Symbol, run: sp.Interval, inside: Domain) -> bool:
-    """Tell whether a function is shown to be continuous, with limits at both ends."""
+    """Return whether a function is shown to be continuous, with limits at both ends."""
     if find_break(f, x, inside.with_set(x, run)) is None:
         return True
     if find_break(f, x, inside) is not None:

@@ -1,15 +1,14 @@
-"""Rungs: inverse functions and roots by what they are inverse to, and by their ranges.
+"""Rungs: inverse functions and roots, by the functions that they invert and by their ranges.
 
-arcsin u = y says that sin y = u and that y lies within a quarter turn; sqrt(b) = y that y**2 = b
-and y >= 0. Inverse sines, cosines and tangents add up to nothing where the sum lies within a turn
-and points along the first axis. Logarithms add up to nothing where the product of their arguments
-is one, all of them being positive wherever the sum has a value.
+arcsin u = y means that sin y = u and that y lies within a quarter turn of zero; sqrt(b) = y means
+that y**2 = b and y >= 0. Inverse sines, cosines and tangents add up to zero if their sum lies
+within a turn and points along the first axis. Logarithms add up to zero if the product of their
+arguments is one, all of them being positive wherever the sum has a value.
 
-Arguments of plane vectors, too, are added: atan2(y1, x1) + atan2(y2, x2), x1 and x2 being positive,
+Arguments of plane vectors are added, too: atan2(y1, x1) + atan2(y2, x2), x1 and x2 being positive,
 lies between -pi and pi and is the argument of the product of both vectors taken as complex numbers.
-Two arguments are equal exactly if their vectors point the same way: no cross product, a positive
-scalar product; where they point does not matter then. Arctangents of numbers may be added up any
-number of times.
+Two arguments are equal exactly if their vectors point the same way: zero cross product, positive
+scalar product, wherever they point. Arctangents of numbers may be added up any number of times.
 """
 
 from __future__ import annotations
@@ -46,8 +45,7 @@ _AREAS: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
     sp.acosh: lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
     sp.atanh: lambda u: (sp.log(1 + u) - sp.log(1 - u)) / 2,
 }
-# For each inverse function: the function, and what must not be negative (strictly: must be
-# positive) for y to lie in its range.
+# For each inverse function: the function, and the slacks that must hold for y to lie in its range.
 _INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., list[Slack]]]] = {
     sp.asin: (sp.sin, lambda y: [Slack(sp.pi / 2 + k * y, False) for k in (1, -1)]),
     sp.acos: (sp.cos, lambda y: [Slack(y, False), Slack(sp.pi - y, False)]),
@@ -59,7 +57,7 @@ _INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., l
 
 
 def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right says what an inverse function or a root is, else None."""
+    """Return the rung if left = right gives the value of an inverse function or root, else None."""
     difference = domain.resolve(left - right)
     if has_parts(difference, sp.Sum, sp.Product, sp.Integral, sp.Limit, sp.Indexed):
         return None
@@ -80,7 +78,7 @@ def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | No
 
 
 def _divide(difference: sp.Expr) -> sp.Expr:
-    """Divide by a number before an inverse function that is no fraction, and not zero."""
+    """Divide by an inverse function's factor if that is a nonzero irrational number."""
     inverses = (*_INVERSES, sp.log)
     for term in sp.Add.make_args(difference):
         number, rest = term.as_independent(*difference.free_symbols, *inverses, as_Add=False)
@@ -129,7 +127,7 @@ def _is_inverse(difference: sp.Expr, domain: Domain) -> bool:
 
 
 def _write_arcs(value: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write the angle of a plane vector by an arctangent, where a half plane holds the vector."""
+    """Write a plane vector's angle by an arctangent if the vector stays in a half plane."""
 
     def write(y: sp.Expr, x: sp.Expr) -> sp.Expr:
         if is_positive(x, domain):
@@ -143,9 +141,9 @@ def _write_arcs(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _has_direction(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an angle is that of a plane vector: where it points, within a turn.
+    """Return whether a value is the angle of a plane vector: same direction, within (-pi, pi].
 
-    The arctangent of a quotient over a positive number is one.
+    The arctangent of a quotient with a positive denominator is such an angle.
     """
     y, x = sp.fraction(node.args[0]) if isinstance(node, sp.atan) else node.args
     if isinstance(node, sp.atan) and not (x.free_symbols and is_positive(x, domain)):
@@ -173,7 +171,7 @@ def _has_value(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
 
 
 def _exponentiate(argument: sp.Expr) -> sp.Expr:
-    """Return the exponential of a sum, that of multiples of logarithms as powers."""
+    """Return the exponential of a sum, with multiples of logarithms written as powers."""
     written = argument.replace(
         lambda node: isinstance(node, tuple(_AREAS)), lambda node: _AREAS[type(node)](*node.args)
     )
@@ -202,7 +200,7 @@ def _adds_to_nothing(difference: sp.Expr, domain: Domain) -> bool:
 
 
 def _is_root(difference: sp.Expr, domain: Domain, depth: int = _MOST_ROOTS) -> bool:
-    """Tell whether p + q*sqrt(b) is zero: p**2 is q**2*b, and the signs of p and q differ."""
+    """Return whether p + q*sqrt(b) is zero: p**2 = q**2*b, and p and q have opposite signs."""
     return depth > 0 and any(
         _vanishes(sp.expand(p**2 - q**2 * b), domain, depth - 1)
         and _is_met(Slack(-p * q, False), domain)
@@ -223,7 +221,7 @@ Vector = tuple[sp.Expr, sp.Expr]
 
 
 def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right says that one argument is another or the sum of two."""
+    """Return the rung if left = right equates an argument with another or a sum of two."""
     parted = [
         term.as_coeff_Mul(rational=True) for term in sp.Add.make_args(domain.resolve(left - right))
     ]
@@ -247,7 +245,7 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
 
 
 def _is_nothing(parted: list[tuple[sp.Rational, sp.Expr]], domain: Domain) -> bool:
-    """Tell whether angles add up to zero: whole multiples of them point along the first axis.
+    """Return whether angles add up to zero: their whole multiples point along the first axis.
 
     That leaves whole turns, which balls exclude (as in Machin's formula for pi).
     """

@@ -24,7 +24,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.set_values import COUNTS
 
 AS_TYPED = "as typed"
-# What errors of SymPy mean to a reader of a paper.
+# What SymPy's errors mean to a reader of a paper.
 _TOLD: Mapping[type[Exception], str] = {
     RecursionError: "it is nested too deeply",
     ZeroDivisionError: "a part of it divides by zero",
@@ -40,8 +40,8 @@ _WITHOUT_RULE = (
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 
-    A statement that no rung can read (an unknown function) is UNDECIDED and says why. Raises
-    `RecordError` for what the paper is not to blame for, and `ContradictionError`.
+    A statement that no rung can read (an unknown function) is UNDECIDED, with the reason. Raises
+    `RecordError` for errors that are not the paper's, and `ContradictionError`.
     """
     try:
         answer = _with_correction(row, paper, _decide_row(row, paper))
@@ -78,7 +78,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
 
 
 def _explain(error: Exception) -> str:
-    """Say why a row was refused: our own errors are sentences, others are put in words here."""
+    """Return why a row was refused: our own messages as they are, others explained here."""
     told = str(error)
     if isinstance(error, NotImplementedError) and told and "\n" not in told:
         return told
@@ -113,7 +113,7 @@ def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
 
 
 def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:
-    """Decide what a row says; where a divisor that cancels is zero it says nothing."""
+    """Decide a row's statement; where a divisor that cancels is zero, it claims nothing."""
     answer = decide(row.statement, domain)
     if not row.divisors or answer.verdict is not Verdict.REFUTED:
         return answer
@@ -126,13 +126,13 @@ def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:
 
 
 def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Answer:
-    """Decide the statement that we make in place of the print."""
+    """Decide a statement of our own that replaces the print."""
     check_statement(says, dimensions_of(paper), domain, printed=False)
     return decide(says, domain)
 
 
 def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) -> Answer | None:
-    """Return CONVENTION if another reading is proved; one that is not decided leaves it open."""
+    """Return CONVENTION if another reading is proved; an undecided reading leaves the row open."""
     left_open = None
     for reading in row.readings:
         other = _decide_ours(reading.says, paper, domain)
@@ -166,7 +166,7 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
 
 
 def _leave_open(meant: str, answer: Answer, refuted: Answer) -> Answer:
-    """Say that a row, false as it stands, is not decided in the sense that is said to be meant."""
+    """Report a row that is false literally and undecided in its intended sense."""
     literal = tuple(replace(item, what=f"as it stands: {item.what}") for item in refuted.evidence)
     reason = f"not true as it stands; {meant}, not proved: {answer.reason}"
     return replace(answer, reason=reason, evidence=(*answer.evidence, *literal))

@@ -1,6 +1,6 @@
-"""Definite integrals without an elementary antiderivative whose values stand in every table.
+"""Table of definite integrals that have known values but no elementary antiderivative.
 
-A row counts where the integrand is proved to be its own, with letters for which it converges
+A row applies if the integrand is proved equal to its own, with letters for which it converges
 (Gradshteyn, Ryzhik, Table of Integrals, Series, and Products, 2007, chapters 3 and 4).
 """
 
@@ -34,7 +34,7 @@ _Limits = tuple[sp.Expr, sp.Expr]
 
 @dataclass(frozen=True)
 class KnownIntegral:
-    """An integrand in X with letters, its limits, its value, and what is positive."""
+    """An integrand in X with letters, its limits, its value, and the signs it requires."""
 
     integrand: sp.Expr
     limits: _Limits
@@ -51,7 +51,7 @@ def _endless(
 
 
 def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
-    """Return the row of (f(a*x) - f(b*x))/x, f given at X with its last value less its first."""
+    """Return the row of (f(a*x) - f(b*x))/x, with f(X) as `at` and f(infinity) - f(0) as `jump`."""
     one, other = at.subs(X, _A * X), at.subs(X, _B * X)
     return _endless((one - other) / X, jump * sp.log(_A / _B), _A, _B)
 
@@ -142,13 +142,13 @@ KNOWN = (
 
 
 def settle_known_integrals(expression: Any, domain: Domain) -> Any:
-    """Put the values of known integrals in their places."""
+    """Replace known integrals by their values."""
     found = {node: _find_value(node, domain) for node in list_free(expression)}
     return put_found(expression, found)
 
 
 def list_needed(node: sp.Basic) -> Iterator[Slack]:
-    """List what has to be positive, or not negative, in rows that an integral may be one of."""
+    """Yield the conditions of the first row that an integral matches."""
     if not isinstance(node, sp.Integral) or (read := _read(node)) is None:
         return
     _, integrand, limits = read
@@ -162,7 +162,7 @@ def list_needed(node: sp.Basic) -> Iterator[Slack]:
 
 
 def _read(integral: sp.Integral) -> tuple[sp.Expr, sp.Expr, list[sp.Expr]] | None:
-    """Return a factor, the integrand in X and the limits: half of what is even on the line."""
+    """Return a factor, the integrand in X and the limits; even ones over the line are halved."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return None
@@ -194,7 +194,7 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
 def _find_between_letters(
     integrand: sp.Expr, limits: list[sp.Expr], domain: Domain
 ) -> sp.Expr | None:
-    """Return the value by a variable from 0 to 1; roots of fractions of the limits are powers."""
+    """Return the value by a variable from 0 to 1 in which roots of polynomials become powers."""
     lower, upper = limits
     if not (upper.is_Symbol and is_positive(upper - lower, domain)) or lower.has(upper):
         return None
@@ -214,7 +214,7 @@ def _find_between_letters(
 
 
 def _split_power(base: sp.Expr, exponent: sp.Expr) -> sp.Expr:
-    """Write a power by those of the factors of its base, which are positive at X = 1/2."""
+    """Write a power by those of its base's factors, with signs that are positive at X = 1/2."""
     number, factors = sp.factor_list(base)
     signs = {factor: -1 if factor.subs(X, _HALF).is_negative else 1 for factor, _ in factors}
     number *= sp.Mul(*(signs[factor] ** power for factor, power in factors))
@@ -230,14 +230,14 @@ def _list_rows(integrand: sp.Expr, limits: list[sp.Expr]) -> Iterator[KnownInteg
 
 
 def _match(row: KnownIntegral, integrand: sp.Expr) -> dict[sp.Wild, sp.Expr] | None:
-    """Return the letters of a row that a match proposes."""
+    """Return the letters of a row that a match proposes, or None."""
     found = integrand.match(row.integrand)
     # For a squared letter the match finds either of two signs; this takes the positive one.
     return found and {wild: sp.powdenest(value, force=True) for wild, value in found.items()}
 
 
 def _find_by(row: KnownIntegral, integrand: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Return the value that a row gives; the match only proposes letters."""
+    """Return the value that a row gives, or None; letters that a match proposes are checked."""
     found = _match(row, integrand)
     if found is None:
         return None

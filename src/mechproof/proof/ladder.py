@@ -1,9 +1,9 @@
 """The ladder: a statement and its domain -> an answer, cheapest rung first.
 
-Rungs are tried one after the other, as tactics under ORELSE are in Edinburgh LCF (Gordon, Milner
-and Wadsworth 1979). There a small kernel checks whatever a tactic gives. Here each rung answers for
-its own soundness, balls contradict it at points, and of many rows Coq checks a proof of its own
-(`mechproof.coq`).
+Rungs are tried one after another, like tactics under ORELSE in Edinburgh LCF (Gordon, Milner
+and Wadsworth 1979). There a small kernel checks every result of a tactic. Here each rung is
+responsible for its own soundness, balls contradict it at points, and for many rows Coq checks a
+separate proof (`mechproof.coq`).
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
 UNCOMPARED = "nothing to compare with"
-# Rungs of definitions: what was checked of a newly introduced letter.
+# What was checked of a newly introduced letter, in the reasons of definitions.
 BOUND_AGREE = "bound symbols agree"
 AGREE = f"dimensions and {BOUND_AGREE}"
 
@@ -94,7 +94,7 @@ def _decide_equality(statement: Equality, domain: Domain) -> Answer:
 
 
 def _is_declaration(statement: Equality, domain: Domain) -> bool:
-    """Tell whether a side is a symbol and the other what the symbol is declared to be."""
+    """Return whether a side is a symbol and the other side is that symbol's declared value."""
     sides = (statement.printed, statement.rebuilt)
     return any(domain.given.get(one) == other for one, other in (sides, sides[::-1]))
 
@@ -129,7 +129,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
             return answer
     if isinstance(relation, sp.Equality):
         return decide_sides(relation.lhs, relation.rhs, domain)
-    # Points are tried first: a relation that one refutes need not be tried by every rung.
+    # Points come first: once a point refutes a relation, the rungs need not be tried.
     if violation := find_violation(relation, domain):
         reason = newton.explain(relation, domain) or "a point violates it"
         return Answer(Verdict.REFUTED, BALLS, reason, (violation,))
@@ -155,14 +155,14 @@ def _put_in(relation: sp.Basic, domain: Domain) -> sp.Basic:
     if not isinstance(relation, Relational):
         return domain.resolve(relation)
     sides = [put_in(side, domain) for side in relation.args]
-    # Evaluating, SymPy would compare integrals by floating-point values without bounds.
+    # If evaluated, SymPy would compare integrals by floating-point values without bounds.
     return relation.func(*sides, evaluate=False)
 
 
-# The rows share the numbers that they compare.
+# Many rows compare the same numbers.
 @lru_cache(maxsize=256)
 def _decide_numbers(printed: sp.Basic, relation: sp.Basic, domain: Domain) -> Answer:
-    """Decide a relation without letters, with the values of its integrals and endless sums."""
+    """Decide a relation without letters, using the values of its integrals and infinite sums."""
     sides, rungs = settle_sides(resolve_sides(printed, domain), domain)
     if rungs:
         settled, _ = settle_sides(relation.args, domain)
@@ -240,12 +240,12 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
 
 
 SIGN = "sign in positive coordinates"
-# Work limit: powers of negative numbers with whole exponents, whose signs double the cases.
+# Work limit: powers of negative numbers with symbolic whole exponents; each doubles the cases.
 _MOST_TURNS = 2
 
 
 def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
-    """Return the rung that proves an inequality wherever its sides have values, None for none."""
+    """Return the rung that proves an inequality wherever its sides have values, or None."""
     if (cases := _list_turns(relation)) is not None:
         left = [case for case in cases if case != sp.true]
         rungs = [None if case == sp.false else prove_relation(case, domain) for case in left]
@@ -276,15 +276,16 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
 
 
 def _is_shown(slack: Slack, domain: Domain) -> bool:
-    """Tell whether a number is proved to be positive, or not negative, by any rung."""
+    """Return whether any rung proves a number positive, or non-negative if it is not strict."""
     relation = (sp.Gt if slack.strict else sp.Ge)(slack.value, 0, evaluate=False)
     return prove_relation(relation, domain) is not None
 
 
 def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:
-    """Write powers of negative numbers to counts, (-2)^n, as 2^n and as its opposite.
+    """List a relation with (-2)^n written as 2^n and as -2^n, for each such power.
 
-    Whichever sign each has, one of the relations returned says the same; None without such powers.
+    Whichever signs the powers have, one of the relations is equivalent to the given one. None if
+    there are no such powers, or too many.
     """
     powers = [p for p in relation.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols]
     if not 0 < len(powers) <= _MOST_TURNS or not all(p.exp.is_integer for p in powers):
@@ -300,7 +301,7 @@ def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:
 
 
 def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
-    """Prove an inequality for each sign of what stands in moduli."""
+    """Prove an inequality for each combination of signs of the arguments of its moduli."""
     slack = find_slack(relation)
     if slack is None or (written := write_pieces(slack.value)) == slack.value:
         return None

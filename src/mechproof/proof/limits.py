@@ -1,8 +1,8 @@
-"""Limits that are worked out: by continuity, or by as many derivatives as both parts vanish.
+"""Evaluate limits: by continuity, or by as many derivatives as both parts vanish.
 
-Functions that are smooth about the point have the value as the limit from either side; others are
-looked at from each side that is meant and where they have values, by how fast their parts grow
-(`growth`). What is not shown so stays a limit, of which nothing is proved and nothing refuted.
+For functions that are smooth around the point, the limit from either side is the value; others are
+examined on each side that is meant and on which they have values, by how fast their parts grow
+(`growth`). Any other limit stays as it is, neither proved nor refuted.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ _ENTIRE = (
 
 
 def settle_limits(expression: Any, domain: Domain) -> Any:
-    """Put the values of limits in their places, as far as they are shown.
+    """Replace limits by their values, as far as these are shown.
 
-    An infinite one has a value where it stands alone, and none within a formula.
+    An infinite limit is replaced only where it stands alone, not inside a formula.
     """
     limits = sorted(find_parts(expression, sp.Limit), key=sp.default_sort_key)
     return put_found(expression, {limit: _find_value(limit, domain) for limit in limits})
@@ -62,7 +62,7 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
 
 
 def _list_by_parity(limit: sp.Limit, domain: Domain) -> tuple[sp.Expr, ...]:
-    """List the limits for even and for odd n of a sequence with powers of -1, none if not shown."""
+    """List a sequence's limits for even and for odd n if it has powers of -1; () if not shown."""
     body, n, point, direction = limit.args
     turns = [p for p in body.atoms(sp.Pow) if p.base == -1 and p.exp.has(n)]
     is_met = turns and n.is_integer and point == sp.oo
@@ -75,10 +75,10 @@ def _list_by_parity(limit: sp.Limit, domain: Domain) -> tuple[sp.Expr, ...]:
 
 
 def _find_of_sequence(body: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
-    """Return the endless sum or product of one to n; 0 where quotients come to less than 1.
+    """Return an infinite sum or product for one up to n, or 0 if quotients tend to less than 1.
 
-    The sign of what comes to 0 may alternate. Roots of degree n come to what the quotients of their
-    radicands come to (Cauchy, Cours d'analyse, 1821).
+    The sign of a sequence that tends to 0 may alternate. The n-th root of a sequence tends to the
+    limit of the sequence's quotients (Cauchy, Cours d'analyse, 1821).
     """
     steady, moving = body.as_independent(n, as_Add=True)
     if steady != 0:
@@ -119,7 +119,7 @@ def _find_limit_of_quotients(size: sp.Expr, n: sp.Symbol, domain: Domain) -> sp.
 
 
 def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None:
-    """Return the integral from 0 to 1 of f for the sum of f(k/n)/n, f being continuous there."""
+    """Return the integral from 0 to 1 of f, continuous there, for the sum of f(k/n)/n; or None."""
     k, first, last = total.limits[0]
     x = sp.Dummy("x", real=True)
     between, whole = sp.symbols("x n", cls=sp.Dummy, positive=True)
@@ -132,7 +132,7 @@ def _find_riemann(total: sp.Sum, n: sp.Symbol, domain: Domain) -> sp.Expr | None
 
 
 def _turn_whole(body: sp.Expr) -> sp.Expr:
-    """Return a body without the even terms in exponents of -1."""
+    """Return a body with even terms dropped from the exponents of -1."""
 
     def is_odd(term: sp.Expr) -> bool:
         return not (term / 2).is_integer
@@ -146,7 +146,7 @@ def _turn_whole(body: sp.Expr) -> sp.Expr:
 def _find_from_sides(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, direction: str, domain: Domain
 ) -> sp.Expr | None:
-    """Return the one limit that is shown from every side that is meant and has values."""
+    """Return the one limit that is shown from every side that is meant and has values, or None."""
     found = _list_from_sides(body, variable, point, direction, domain)
     if not found:
         return None
@@ -170,9 +170,9 @@ def _list_from_sides(
 
 
 def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) -> bool:
-    """Tell whether a variable may have values on a side of a point.
+    """Return whether a variable may have values on a side of a point.
 
-    It is bound by what is said of the letter by which it is printed.
+    What the domain says of the letter printed for the variable also binds the variable.
     """
     name = variable.name.removesuffix("_")
     letters = {*domain.within, *(s for relation in domain.where for s in relation.free_symbols)}
@@ -181,14 +181,14 @@ def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) ->
 
 
 def tell_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:
-    """Say why one side is a limit that there is not, if that is shown."""
+    """Report why one side is a limit that does not exist, or "" if that is not shown."""
     alone = [side for side in sides if isinstance(side, sp.Limit)]
     told = _tell_unlike(alone[0], domain) if len(alone) == 1 else ""
     return f"{told}: there is no limit" if told else ""
 
 
 def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
-    """Say what the limits from both sides are where they differ and one of them is a number."""
+    """Report the limits from both sides if they differ and at least one is finite, else ""."""
     body, variable, point, direction = limit.args
     if by_parity := _list_by_parity(limit, domain):
         even, odd = map(write_value, by_parity)
@@ -204,7 +204,7 @@ def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
 
 
 def tell_jump(sides: tuple[Any, Any], domain: Domain) -> str:
-    """Say how what is differentiated jumps at a zero of a number whose sign or modulus it has."""
+    """Report a jump of a differentiated expression at a zero of a sign's or modulus's argument."""
     derived = {node for side in sides for node in find_parts(side, DerivativeWhere)}
     needed = {value for node in derived for value in node.args[1].atoms(ValueWhere)}
     limits = (
@@ -238,7 +238,7 @@ def _find_smooth(
 
 
 def _is_smooth(node: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an expression has all derivatives about a point, as far as it is shown."""
+    """Return whether an expression is shown to have all derivatives around a point."""
     if variable not in node.free_symbols:
         return True
     if node == variable:

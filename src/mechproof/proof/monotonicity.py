@@ -1,14 +1,14 @@
 """Rung: an inequality by the slope of the difference of its sides.
 
-f >= 0 on an interval if f >= 0 at a place from which f grows to both sides, be it a limit at an
-end; at both ends of it where f is concave; or where its slope is zero, f being convex. The sign of
-a slope is shown as that of any other number, or again by its own slope; f is shown to be
+f >= 0 holds on an interval if f >= 0 at a place, or as a limit at an end, from which f grows to
+both sides; or at both ends, f being concave; or where the slope is zero, f being convex. The sign
+of a slope is shown like that of any other number, or again by its own slope; f is shown to be
 continuous, and its slope exists inside.
 
-A function that does not fall grows strictly if it is analytic and its slope is zero on no interval:
-that is known of an analytic slope from one place at which it is not zero.
+A non-decreasing function grows strictly if it is analytic and its slope vanishes on no interval:
+for an analytic slope, one place at which it is nonzero shows that.
 
-At an end that an interval does not hold, or at infinity, the limit is taken for the value.
+At an end that does not belong to the interval, or at infinity, the limit replaces the value.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _MOST_VARIABLES = 2
 
 
 def holds_by_slope(slack: Slack, domain: Domain) -> bool:
-    """Tell whether a number is shown to be positive, or not negative, by its slope."""
+    """Return whether its slope shows a number positive, or non-negative if not strict."""
     value = domain.resolve(slack.value)
     if has_parts(value, *KINKED, sp.Sum, sp.Product, sp.Integral):
         return False
@@ -55,7 +55,7 @@ def holds_by_slope(slack: Slack, domain: Domain) -> bool:
 
 
 def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
-    """List the variables of functions that run in intervals and stand in no relation."""
+    """List the variables of functions that run through intervals and appear in no relation."""
     powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}
     # A variable in a relation does not run through its set independently of the others.
@@ -91,13 +91,13 @@ def _holds(f: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int) 
 def _grows(
     f: sp.Expr, slope: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int
 ) -> bool:
-    """Tell whether f is shown not to fall where its slope, or its opposite, is that."""
+    """Return whether a slope of f is shown non-negative, and zero on no interval if `strict`."""
     is_strict = strict and not _is_zero_nowhere_long(f, slope, x, domain)
     return _holds(slope, x, is_strict, domain, slopes - 1)
 
 
 def _is_zero_nowhere_long(f: sp.Expr, slope: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
-    """Tell whether a derivative of an analytic function, for no parameters, is zero throughout."""
+    """Return whether the slope of an analytic f is shown, for all parameters, not to be zero."""
     middle = choose_place(domain.set_of(x), sp.S.Half, 1)
     # Zeros of an analytic function that is not zero throughout lie apart.
     is_positive_there = _is_shown(slope.subs(x, middle), True, _without(domain, x))
@@ -119,7 +119,7 @@ _Way = list[tuple[sp.Integer, bool, Domain]]
 def _list_ways(
     f: sp.Expr, x: sp.Symbol, slope: sp.Expr, strict: bool, domain: Domain
 ) -> Iterator[_Way]:
-    """Yield what must grow, and where, for f to be at least what it is at one place."""
+    """Yield the directed growth needed, part by part, for f to be at least its value at a place."""
     values = domain.set_of(x)
     for place, there in list_values(f, x, slope, domain):
         is_left_out = values.contains(place) != sp.true
@@ -139,9 +139,9 @@ def _list_ways(
 def _is_concave(
     f: sp.Expr, bend: sp.Expr, x: sp.Symbol, strict: bool, domain: Domain, slopes: int
 ) -> bool:
-    """Tell whether f is shown to be concave between two ends at which it is not negative.
+    """Return whether f is shown to be concave between two ends at which it is non-negative.
 
-    If it is zero between them it is zero throughout. At a kink no second derivative tells.
+    If such an f is zero in between, it is zero throughout. A second derivative would miss a kink.
     """
     values = domain.set_of(x)
     if not (values.start.is_finite and values.end.is_finite):
@@ -167,7 +167,7 @@ def _is_convex(
     domain: Domain,
     slopes: int,
 ) -> bool:
-    """Tell whether f is shown to be convex, and not negative where its slope is zero.
+    """Return whether f is shown to be convex, and non-negative where its slope is zero.
 
     That place may depend on parameters.
     """
@@ -204,7 +204,7 @@ _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
 def list_values(
     f: sp.Expr, x: sp.Symbol, slope: sp.Expr, domain: Domain
 ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Yield places with the values there of a function, continuous up to them, or its limits."""
+    """Yield places with f's value there, if it is continuous up to them, or else with its limit."""
     values = domain.set_of(x)
     inner = dict.fromkeys([*_PLACES, *list_zeros(slope, x)])
     inside = [p for p in inner if p.is_number and values.interior.contains(p) == sp.true]
@@ -222,7 +222,7 @@ def list_values(
 
 
 def list_zeros(slope: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
-    """Propose zeros of factors with two terms, whose quotient is a power or an exponential."""
+    """Propose zeros of two-term factors whose terms have a power or an exponential as quotient."""
     for factor in sp.Mul.make_args(sp.factor_terms(slope)):
         terms = sp.Add.make_args(sp.expand(factor))
         if len(terms) != 2 or not factor.has(x):
@@ -241,7 +241,7 @@ def list_zeros(slope: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
 
 
 def _is_small(exponent: sp.Expr) -> bool:
-    """Tell whether a power is written out in reasonable time, which SymPy does of fractions."""
+    """Return whether an exponent is no fraction, or one so small that SymPy writes it out fast."""
     return not exponent.is_Rational or max(abs(exponent.p), exponent.q) <= _LARGEST_EXPONENT
 
 
@@ -254,7 +254,7 @@ def _exponentiate(logarithm: sp.Expr) -> sp.Expr:
 
 
 def is_analytic_inside(f: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
-    """Tell whether a function is shown to be analytic in a variable on an open interval."""
+    """Return whether a function is shown to be analytic in a variable on an open interval."""
     if has_parts(f, *KINKED) or find_break(f, x, domain) is not None:
         return False
     numbers = (number for node in sp.preorder_traversal(f) for number in _list_inner(node, x))
@@ -262,7 +262,7 @@ def is_analytic_inside(f: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
 
 
 def _list_inner(node: sp.Basic, x: sp.Symbol) -> Iterator[sp.Expr]:
-    """List what must be positive for a continuous function of an analytic one to be analytic."""
+    """Yield what must be positive for a continuous function of an analytic one to be analytic."""
     if not node.has(x):
         return
     if isinstance(node, sp.Pow) and not node.exp.is_integer:

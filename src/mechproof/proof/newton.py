@@ -1,9 +1,9 @@
-"""Rung: Newton's method gets from its start to the one root in a bracket, on a whole box.
+"""Rung: Newton's method converges from its start to a bracket's only root, on a whole box.
 
-On each part of the box the bracket has one root, of which an enclosure is known. An iterate that
-is off by d, where f' has one sign on all within d of the root, is followed by one that is off by
-at most d**2 |f''|/(2 |f'|): Kantorovich's bound (1948), with the enclosures for constants. So
-parts need not be small for an error that is.
+On each part of the box the bracket has one root, of which an enclosure is known. If an iterate is
+off by d, and f' has one sign everywhere within d of the root, the next iterate is off by at most
+d**2 |f''|/(2 |f'|): Kantorovich's bound (1948), with the enclosures for constants. Parts therefore
+need not be small for the error to be small.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class _Task:
         }
 
     def bracket(self, values: dict[sp.Basic, balls.Ball]) -> Bracketed:
-        """Return the root for balls of its symbols."""
+        """Return the bracketed root for balls of its symbols."""
         return Bracketed(frame(self.root), values, _run)
 
 
@@ -63,19 +63,19 @@ def _run(expression: sp.Basic, values: Values) -> balls.Ball:
 
 
 def converges(relation: sp.Basic, domain: Domain) -> bool:
-    """Return True if a bound of how far a last iterate is from its root is proved."""
+    """Return True if a bound on the distance of a last iterate from its root is proved."""
     claim = _read(relation)
     return claim is not None and not _find_obstacle(*claim, domain)
 
 
 def explain(relation: sp.Basic, domain: Domain) -> str:
-    """Say what was not shown of a bound of the distance to a root; empty for other relations."""
+    """Report what was not shown of a bound on a distance to a root; "" for other relations."""
     claim = _read(relation)
     return "" if claim is None else _find_obstacle(*claim, domain)
 
 
 def _read(relation: sp.Basic) -> tuple[Root, sp.Expr] | None:
-    """Return the root and the bound of |last iterate - root| <= bound."""
+    """Return the root and the bound of |last iterate - root| <= bound; None for others."""
     roots, iterates = (relation.atoms(kind) for kind in (Root, LastIterate))
     if len(roots) != 1 or len(iterates) != 1 or not isinstance(relation, sp.Le):
         return None
@@ -86,7 +86,7 @@ def _read(relation: sp.Basic) -> tuple[Root, sp.Expr] | None:
 
 @lru_cache(maxsize=64)
 def _find_obstacle(root: Root, bound: sp.Expr, domain: Domain) -> str:
-    """Return what was not shown and where, empty for a proof."""
+    """Report what was not shown and where, or return "" for a proof."""
     symbols = sorted(find_free(root) | find_free(bound), key=str)
     where = tuple(r for r in domain.where if find_free(r) <= set(symbols))
     sets = {s: domain.set_of(s) for s in symbols}
@@ -111,7 +111,7 @@ def _find_obstacle(root: Root, bound: sp.Expr, domain: Domain) -> str:
 def _find_side(
     symbol: sp.Symbol, values: sp.Set, root: Root, where: tuple[sp.Basic, ...]
 ) -> tuple[float, float] | None:
-    """Return doubles around an interval, one turn where that is enough; None if unbounded."""
+    """Return doubles around an interval, one turn if that is enough; None if unbounded."""
     if values == sp.S.Reals and _is_periodic(symbol, root, where):
         values = sp.Interval(-_HALF_TURN, _HALF_TURN)
     if not (isinstance(values, sp.Interval) and values.start.is_finite and values.end.is_finite):
@@ -134,7 +134,7 @@ def _is_periodic(symbol: sp.Symbol, root: Root, where: tuple[sp.Basic, ...]) -> 
 
 
 def _cover(task: _Task, whole: Box) -> str:
-    """Return what was not shown on a part of the box, empty for a proof on all of it."""
+    """Report what was not shown on a part of the box; "" for a proof on all of it."""
 
     def bound(boxes: Boxes) -> Array:
         with balls.working_precision(_BITS):
@@ -151,8 +151,7 @@ def _cover(task: _Task, whole: Box) -> str:
 def _find_height(task: _Task, box: Box) -> float:
     """Return the error after the last step divided by the bound; more than 1 if not enclosed.
 
-    Without an enclosure it grows with the uncertainty at the start, so as to show which side to
-    cut.
+    Without an enclosure it grows with the uncertainty at the start, to show which side to cut.
     """
     values = task.enter(box)
     # A part on which a relation is false does not belong to the domain.
@@ -168,7 +167,7 @@ def _find_height(task: _Task, box: Box) -> float:
 
 
 def _name_fault(given: Bracketed) -> str:
-    """Say why not just one root is shown to lie in a bracket, empty where it is."""
+    """Report why a bracket is not shown to contain exactly one root; "" if it is."""
     if not (given.width.is_finite() and given.width > 0):
         return "the bracket has no width"
     isolated = given.isolate()
@@ -180,7 +179,7 @@ def _name_fault(given: Bracketed) -> str:
 
 
 def _tell_parts(given: Bracketed, parts: tuple[balls.Ball, ...]) -> str:
-    """Say where roots may be, of how many it is known, and where they are."""
+    """Report roots shown by changes of sign, or else where the derivative has no one sign."""
     kept = [parts[0]]
     for part in parts[1:]:
         kept[-1:] = [kept[-1].union(part)] if part.overlaps(kept[-1]) else [kept[-1], part]
@@ -192,7 +191,7 @@ def _tell_parts(given: Bracketed, parts: tuple[balls.Ball, ...]) -> str:
 
 
 def _list_errors(given: Bracketed, steps: int) -> Iterator[balls.Ball]:
-    """Yield by how much the start may be off, and what follows after each step; NaN if unknown."""
+    """Yield bounds on the error of the start and after each step; NaN if unknown."""
     root, place = given.narrow(given.isolate()), given.start
     off = (place - root).abs_upper()
     yield off
@@ -207,7 +206,7 @@ def _list_errors(given: Bracketed, steps: int) -> Iterator[balls.Ball]:
 
 
 def _square(given: Bracketed, near: balls.Ball, off: balls.Ball) -> balls.Ball:
-    """Return Kantorovich's bound of the error that follows."""
+    """Return Kantorovich's bound on the error of the next iterate."""
     slope = given.slope(near)
     if not has_sign(slope):
         return balls.NOT_FINITE
@@ -215,7 +214,7 @@ def _square(given: Bracketed, near: balls.Ball, off: balls.Ball) -> balls.Ball:
 
 
 def _describe(task: _Task, box: Box) -> str:
-    """Say what is not shown in the middle of a box, or on it."""
+    """Report what is not shown at the middle of a box, or else on the box."""
     middle: Box = tuple(((low + high) / 2,) * 2 for low, high in box)
     shown = _find_height(task, middle) <= 1
     values = task.enter(box if shown else middle)

@@ -1,6 +1,6 @@
-"""Orders of growth, and numbers written anew so that theirs is seen (Hardy 1910).
+"""Orders of growth, and numbers rewritten so that their order can be read (Hardy 1910).
 
-A factor is written as what it is like where its variable is large: it is that times what goes to 1.
+A factor is replaced by an asymptotically equal one: their quotient tends to 1.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _SEEN: Mapping[tuple[type[sp.Basic], sp.Expr], Callable[[sp.Expr], sp.Expr]] = {
 
 @dataclass(frozen=True)
 class Order:
-    """c*exp(rate*y)*y**power*(ln y)**logs up to a factor that goes to one; bounded c for None."""
+    """factor*exp(rate*y)*y**power*(ln y)**logs times 1 + o(1); None is a bounded factor."""
 
     rate: sp.Expr
     power: sp.Expr
@@ -67,7 +67,7 @@ class Order:
 
 
 def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
-    """Yield forms of a sum that are other than it stands."""
+    """Yield other forms of a sum."""
     forms = (
         join_logarithms,
         lambda node: sp.collect(sp.expand(node), y),
@@ -81,7 +81,7 @@ def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
 
 
 def join_logarithms(node: sp.Add) -> sp.Expr | None:
-    """Write c*(ln u - ln v) and a rest as c*ln(u/v) and the rest."""
+    """Write c*(ln u - ln v) plus a rest as c*ln(u/v) plus the rest."""
     terms = [t.as_coeff_Mul() for t in node.args]
     logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
     if len(logarithms) < 2:
@@ -100,7 +100,7 @@ def _multiply_by_conjugate(node: sp.Add) -> sp.Expr | None:
 
 
 def _divide_by_power(node: sp.Add, y: sp.Symbol) -> sp.Expr | None:
-    """Write the root of a sum, and c*y**p beside it, as y**p times what comes to numbers."""
+    """Write a root of a sum plus c*y**p as y**p times a sum whose terms tend to numbers."""
     if len(node.args) != 2:
         return None
     other, root = sorted(node.args, key=lambda term: term.has(sp.Add))
@@ -113,7 +113,7 @@ def _divide_by_power(node: sp.Add, y: sp.Symbol) -> sp.Expr | None:
 
 
 def write_inverses(node: sp.Expr, find: Find) -> sp.Expr:
-    """Write inverse functions so that it is seen what they are like; `find` finds limits."""
+    """Write inverse functions so that their behaviour in the limit shows; `find` finds limits."""
     kinds = tuple({kind for kind, _ in _SEEN})
     return node.replace(
         lambda part: isinstance(part, kinds),
@@ -132,7 +132,7 @@ LIKE_ARGUMENT = (sp.sin, sp.tan, sp.asin, sp.atan, sp.sinh, sp.tanh, sp.asinh, s
 
 
 def write_like(factor: sp.Expr, y: sp.Symbol, find: Find, domain: Domain) -> sp.Expr:
-    """Write a factor that is u times what goes to one as u: ln(1 + u), sin u where u goes to 0."""
+    """Replace ln(1 + u), sin u and the like, where u tends to 0, by the asymptotically equal u."""
     factor = (join_logarithms(factor) if isinstance(factor, sp.Add) else None) or factor
     if isinstance(factor, sp.log):
         small = sp.cancel(factor.args[0] - 1)
@@ -146,9 +146,9 @@ def write_like(factor: sp.Expr, y: sp.Symbol, find: Find, domain: Domain) -> sp.
 
 
 def _write_difference(sum_: sp.Add, y: sp.Symbol, find: Find, domain: Domain) -> sp.Expr:
-    """Write a sum whose terms come to numbers that cancel as what is left: e^u - 1, 1 - cos u.
+    """Replace a sum whose limit cancels by its leading remainder, as for e^u - 1 or 1 - cos u.
 
-    Roots of what tends to a number are written likewise. The largest of the remainders counts.
+    Roots of expressions that tend to a number are treated likewise. The largest remainder counts.
     """
     number, rest = sum_.as_independent(y, as_Add=True)
     parts = [_part(term, y, find, domain) for term in sp.Add.make_args(rest)]
@@ -167,7 +167,7 @@ def _write_difference(sum_: sp.Add, y: sp.Symbol, find: Find, domain: Domain) ->
 def _part(
     term: sp.Expr, y: sp.Symbol, find: Find, domain: Domain
 ) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return the number that a term comes to, and what the rest of it is like."""
+    """Return the limit of a term and the leading form of its remainder, or None."""
     scale, moving = term.as_independent(y, as_Add=False)
     if type(moving) in LIKE_ONE:
         (u,) = moving.args

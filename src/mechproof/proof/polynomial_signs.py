@@ -1,9 +1,9 @@
 """Signs of quotients of polynomials in coordinates whose own signs are known.
 
 The numerator is factored, and a factor whose monomials all have one sign has that sign. Sound, not
-complete: `None` means "not shown", except for one variable, where Sturm's theorem (1829) decides:
-complete procedures for several variables, as the cylindrical algebraic decomposition of Collins
-(1975), are not tried.
+complete: `None` means "not shown", except for one variable, where Sturm's theorem (1829) decides.
+Complete procedures for several variables, such as the cylindrical algebraic decomposition of
+Collins (1975), are not tried.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ class StrictSign:
         return StrictSign(self.direction * other.direction, self.strict and other.strict)
 
     def is_above(self, strict: bool) -> bool:
-        """Tell whether it says that a number is positive, or not negative if not strictly meant."""
+        """Return whether this sign means positive, or non-negative if not `strict`."""
         return self.direction > 0 and (self.strict or not strict)
 
 
 def sign_of_number(number: sp.Expr) -> StrictSign | None:
-    """Return the sign of a number, None where its ball holds zero."""
+    """Return the sign of a number, or None if its ball contains zero."""
     if number.is_Rational:
         return StrictSign(-1 if number < 0 else 1, bool(number))
     ball = balls.evaluate(number, {}, 256)
@@ -47,7 +47,7 @@ def sign_of_number(number: sp.Expr) -> StrictSign | None:
 
 
 def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
-    """Return the sign of a quotient whose divisor is proved not to be zero."""
+    """Return the sign of a quotient whose divisor is proved to be nonzero, or None."""
     parts = read_parts(expression)
     if parts and all(map(_has_plain_roots, parts)):
         signs = (_sign_of_read(part, coordinates) for part in parts)
@@ -64,9 +64,9 @@ def _has_plain_roots(polynomial: Polynomial) -> bool:
 
 
 def _sign_of_read(polynomial: Polynomial, coordinates: Coordinates) -> StrictSign | None:
-    """Return the sign, that of its factors if its monomials have not all one.
+    """Return the sign of all monomials or else the sign given by the factors, or None.
 
-    The factors are not looked for where it is of both signs.
+    The factors are not sought if the polynomial takes both signs at a few points.
     """
     nonnegative = coordinates.nonnegative | polynomial.roots.keys()
     known = replace(coordinates, nonnegative=nonnegative)
@@ -113,7 +113,7 @@ def _sign_of_product(expression: sp.Expr, coordinates: Coordinates) -> StrictSig
 
 
 def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
-    """Replace powers of positive bases, their exponents no fractions, by positive variables."""
+    """Replace powers of positive bases with non-rational exponents by positive variables."""
     powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_Rational]
     named = {
         power: sp.Dummy("power", positive=True)
@@ -139,7 +139,7 @@ def _sign_of_terms(
     terms: Iterable[tuple[tuple[int, ...], StrictSign | None]],
     coordinates: Coordinates,
 ) -> StrictSign | None:
-    """Return the sign that all terms have, told by their powers and the signs of their numbers."""
+    """Return the common sign of all terms, given their powers and their coefficients' signs."""
     directions, strict = set(), False
     for powers, known in terms:
         shape = [_sign_of_power(*pair, coordinates) for pair in zip(variables, powers, strict=True)]
@@ -151,7 +151,7 @@ def _sign_of_terms(
 
 
 def _sign_of_power(symbol: sp.Basic, power: int, coordinates: Coordinates) -> bool | None:
-    """Return True for positive, False for not negative, None for any sign."""
+    """Return True for positive, False for non-negative, None for any sign."""
     if power == 0 or symbol in coordinates.positive:
         return True
     return False if symbol in coordinates.nonnegative or power % 2 == 0 else None
@@ -169,7 +169,7 @@ def _sign_of_mixed_terms(polynomial: sp.Poly, coordinates: Coordinates) -> Stric
 def _sign_by_discriminant(
     polynomial: sp.Poly, symbol: sp.Basic, coordinates: Coordinates
 ) -> StrictSign | None:
-    """Return the sign of a*v^2 + b*v + c, v any real number: that of a > 0 if b^2 <= 4*a*c."""
+    """Return the sign of a*v^2 + b*v + c for all real v: that of a if b^2 <= 4*a*c, else None."""
     if polynomial.degree(symbol) != 2:
         return None
     written = polynomial.as_expr()
@@ -185,9 +185,9 @@ def _sign_by_discriminant(
 
 
 def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bool:
-    """Tell whether a polynomial is negative at one of a few points, before its factors are found.
+    """Return whether a polynomial is negative at one of a few points, before it is factored.
 
-    Names that are functions of each other stand for all numbers here as in the proof.
+    Names that are functions of each other are free numbers here, as in the proof.
     """
     symbols = sorted(expression.free_symbols, key=str)
     for point in _list_points(symbols, half_lines):
@@ -208,7 +208,7 @@ def _list_points(
 
 
 def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> StrictSign | None:
-    """Decide one polynomial in one variable with rational coefficients."""
+    """Decide the sign of a polynomial in one variable with rational coefficients."""
     if not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
         return None
     on_half_line = polynomial.gens[0] in half_lines

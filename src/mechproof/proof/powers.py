@@ -1,9 +1,9 @@
-"""Rung: logarithms and powers with the signs they need, in one form; roots of squares.
+"""Rung: logarithms and powers in one form, if their signs are shown; roots of squares.
 
-A power of a positive base is an exponential, the logarithm of a product of positive factors the sum
-of theirs. Where a sign is not shown nothing is rewritten, so that no branch is taken for another.
+A power of a positive base is an exponential, and the logarithm of a product of positive factors is
+the sum of theirs. Where a sign is not shown nothing is rewritten, so that no branch is mistaken.
 
-Roots of squares, as in the lengths of arcs, are moduli.
+Roots of squares, as in arc lengths, become moduli.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _JUMPING = (
 
 
 def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right once their logarithms and powers have one form."""
+    """Return the rung if left = right once logarithms and powers have one form, else None."""
     left, right = domain.resolve(left), domain.resolve(right)
     one, other = (write_by_logarithms(side, domain) for side in (left, right))
     if (one, other) == (left, right):
@@ -35,9 +35,9 @@ def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
 
 
 def split_powers(expression: sp.Expr) -> sp.Expr:
-    """Write b**(k*n + m + a), n a whole number, by b**n and b**a, wherever b is not zero.
+    """Write b**(k*n + m + a), n a whole number, by b**n and b**a, for any nonzero b.
 
-    Where it is zero both sides of an identity go on as they are near it: b is zero on no interval,
+    Where b is zero, both sides of an identity continue the values nearby: b is zero on no interval,
     and nothing jumps there.
     """
     if has_parts(expression, *_JUMPING):
@@ -50,7 +50,7 @@ def split_powers(expression: sp.Expr) -> sp.Expr:
 
 
 def is_analytic(expression: sp.Expr) -> bool:
-    """Tell whether an expression, unless it is zero itself, is zero on no interval."""
+    """Return whether an expression, unless it is zero itself, is zero on no interval."""
     roots = (power for power in expression.atoms(sp.Pow) if not power.exp.is_integer)
     return not has_parts(expression, *_JUMPING, sp.Abs, sp.Max, sp.Min) and not any(
         root.base.free_symbols for root in roots
@@ -78,7 +78,7 @@ def _split_power(
 
 
 def _list_factors(base: sp.Expr) -> list[tuple[sp.Expr, int]]:
-    """List factors with whole powers, numbers by their primes."""
+    """List a base's factors with their whole powers, numbers by their primes."""
     found: list[tuple[sp.Expr, int]] = []
     for factor in sp.Mul.make_args(base):
         if factor.is_Rational:
@@ -109,12 +109,12 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def _write_base(base: sp.Expr) -> sp.Expr:
-    """Write hyperbolic functions by exponentials, as cosh x + sinh x is one, tangents by sines."""
+    """Write hyperbolic functions by exponentials (cosh x + sinh x is one), or tangents by sines."""
     return sp.expand(base.rewrite(sp.exp)) if base.has(*HYPERBOLIC) else write_by_sines(base)
 
 
 def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Return the logarithm of a product by those of its factors, None if not all are positive."""
+    """Return a product's logarithm as a sum over its factors, or None if not all are positive."""
     factors = _list_powers(argument)
     if not all(
         is_positive(base, domain) or is_shown_there(Slack(base, True), domain)
@@ -125,7 +125,7 @@ def _take_logarithm(argument: sp.Expr, domain: Domain) -> sp.Expr | None:
 
 
 def _take_sizes(logarithm: sp.Expr) -> sp.Expr:
-    """Write the logarithm of a product, which is positive where it has one, by sizes of factors."""
+    """Write ln of a product, positive wherever ln has a value, by the moduli of its factors."""
     if not isinstance(logarithm, sp.log):
         return logarithm
     sizes = [
@@ -150,7 +150,7 @@ def _write_exponential(exponent: sp.Expr) -> sp.Expr:
 
 
 def write_roots(expression: sp.Expr, letters: set[sp.Basic], domain: Domain) -> sp.Expr:
-    """Write roots of squares of such letters by moduli: of 1 + sinh(u)**2 it is cosh(u)."""
+    """Write square roots of squares in the letters as moduli: 1 + sinh(u)**2 gives cosh(u)."""
     return expression.replace(
         lambda node: node.is_Pow and node.exp == sp.S.Half and node.free_symbols & letters,
         lambda root: _write_root(root, letters, domain),
@@ -158,7 +158,7 @@ def write_roots(expression: sp.Expr, letters: set[sp.Basic], domain: Domain) -> 
 
 
 def take_signs(expression: sp.Expr, domain: Domain) -> sp.Expr:
-    """Write the moduli of what is shown to have a sign without bars."""
+    """Replace |u| by u or -u if the sign of u is shown."""
     signs = {node: find_sign_there(node.args[0], domain) for node in expression.atoms(sp.Abs)}
     return expression.xreplace(
         {node: sign.direction * node.args[0] for node, sign in signs.items() if sign is not None}
@@ -182,10 +182,9 @@ def _write_root(root: sp.Pow, letters: set[sp.Basic], domain: Domain) -> sp.Expr
 
 
 def _halve_angle(root: sp.Pow) -> sp.Expr:
-    """Write the root of a(1 - cos u) by the modulus of the sine of u/2: an arc of a cycloid.
+    """Write the root of a(1 - cos u) as a modulus of sin(u/2), as for the arc of a cycloid.
 
-    The root of a(1 + cos u) is written by the cosine; a sine is read as the cosine of its
-    complement.
+    The root of a(1 + cos u) becomes a cosine; a sine is read as the cosine of its complement.
     """
     if root.exp != sp.S.Half:
         return root

@@ -1,7 +1,7 @@
-"""Antiderivatives that SymPy proposes, some of them written without jumps; nothing is proved here.
+"""Antiderivatives that SymPy proposes, some rewritten without jumps; nothing is proved here.
 
-One by tan(x/2) jumps at odd multiples of pi; its arctangent is written without a jump (Jeffrey
-1993). What a product of sines and cosines is as a sum is integrated term by term.
+An antiderivative by tan(x/2) jumps at odd multiples of pi; its arctangent is written without a jump
+(Jeffrey 1993). A product of sines and cosines is written as a sum and integrated term by term.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
 
 
 def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
-    """Tell where there is no elementary antiderivative (Liouville), and SymPy would try for long.
+    """Return whether there is no elementary antiderivative (Liouville), which spares long attempts.
 
-    This is so of powers divided by a logarithm, which x = e^t turns into exponentials divided by t,
-    and of arctangents and the like divided by x.
+    This is so for powers divided by a logarithm, which x = e^t turns into exponentials divided by
+    t, and for arctangents and the like divided by x.
     """
     parts = _split_logarithm(integrand, variable)
     if parts is not None:
@@ -70,7 +70,7 @@ def _list_moving(total: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
 
 
 class _Parts(NamedTuple):
-    """A fraction times the logarithm of a linear u: the derivative of whole, and rest*u'/u."""
+    """A fraction times ln u, u linear: the fraction is the derivative of whole, plus rest*u'/u."""
 
     logarithm: sp.Expr
     whole: sp.Expr
@@ -78,7 +78,7 @@ class _Parts(NamedTuple):
 
 
 def _split_logarithm(integrand: sp.Expr, variable: sp.Symbol) -> _Parts | None:
-    """Split a fraction that stands before the logarithm of a linear function, None elsewhere."""
+    """Split a fraction that multiplies the logarithm of a linear function; None otherwise."""
     logarithms = [node for node in integrand.atoms(sp.log) if node.has(variable)]
     logarithm = min(logarithms, key=sp.default_sort_key, default=sp.S.One)
     fraction, slope = integrand / logarithm, sp.diff(sp.exp(logarithm), variable)
@@ -135,7 +135,7 @@ def _list_proposed(
     integrand: sp.Expr,
     variable: sp.Symbol,
 ) -> tuple[sp.Expr, ...]:
-    """List what one way proposes, up to where SymPy gives up."""
+    """List the proposals of one way, up to the point where SymPy gives up."""
     found: list[sp.Expr] = []
     with suppress(PolynomialError, NotImplementedError):
         found += propose(integrand, variable)
@@ -143,7 +143,7 @@ def _list_proposed(
 
 
 def _propose_by_rules(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by SymPy's rules, those by which one integrates by hand."""
+    """Integrate by SymPy's rules, which are those of integration by hand."""
     found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
     if not found.has(sp.Integral):
         yield from _list_pieces(found)
@@ -156,7 +156,7 @@ def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
 
 
 def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate exp(-a*x**2 + b*x + c) by an error function, its square completed."""
+    """Integrate exp(-a*x**2 + b*x + c) by an error function, completing the square."""
     factor, bell = sp.powsimp(integrand).as_independent(variable, as_Add=False)
     exponent = sp.Poly(bell.args[0], variable) if isinstance(bell, sp.exp) else None
     if exponent is None or exponent.degree() != _HIGHEST:
@@ -167,7 +167,7 @@ def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Exp
 
 
 def _propose_by_roots(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate the root of a fraction p/q of linear functions as p divided by that of p*q."""
+    """Integrate sqrt(p/q), p and q linear functions, as p/sqrt(p*q)."""
     written = integrand
     for root in integrand.atoms(sp.Pow):
         above, below = sp.fraction(sp.together(root.base))
@@ -180,7 +180,7 @@ def _propose_by_roots(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Ex
 
 
 def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by t = cos x what has sin x as a factor once, the other way round, too."""
+    """Integrate by t = cos x an integrand with one factor sin x, and the other way round."""
     t, s = _TANGENT, sp.Dummy("s")
     for one, other, sign in ((sp.cos, sp.sin, -1), (sp.sin, sp.cos, 1)):
         written = integrand.xreplace({one(variable): t, other(variable): s})
@@ -191,9 +191,9 @@ def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.E
 
 
 def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in the sine and cosine of the variable by t = tan(x/2).
+    """Integrate a rational function of the variable's sine and cosine by t = tan(x/2).
 
-    With sines, x is also counted from a quarter turn: of a + b*sin(x) the angle then stays small.
+    With sines, x is also counted from a quarter turn: for a + b*sin(x) the angle then stays small.
     """
     t = _TANGENT
     circle = {sp.sin(variable): 2 * t / (1 + t**2), sp.cos(variable): (1 - t**2) / (1 + t**2)}
@@ -205,7 +205,7 @@ def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[
 
 
 def _propose_by_tangent(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by t = tan x what a half turn does not change."""
+    """Integrate by t = tan x an integrand of period pi."""
     t, c, s = _TANGENT, sp.Dummy("c"), sp.Dummy("s")
     written = sp.expand_trig(integrand).xreplace({sp.sin(variable): s, sp.cos(variable): c})
     tangent = sp.cancel(sp.together(written.subs(s, t * c)))
@@ -218,7 +218,7 @@ def _propose_by_tangent(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.
 
 
 def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in t, the tangent of half an angle."""
+    """Integrate a rational function of t, the tangent of half an angle."""
     t = _TANGENT
     rational = sp.together(rational)
     if rational.has(variable):
@@ -233,7 +233,7 @@ def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -
 def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors.
 
-    The fraction that an integral begins with needs no rules (Horowitz 1971): these take long.
+    The rational part of the integral needs no rules (Horowitz 1971), which take long.
     """
     if not integrand.is_rational_function(variable):
         return
@@ -247,7 +247,7 @@ def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[s
 
 
 def _propose_by_power(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate what is rational in an exponential as a fraction of that."""
+    """Integrate a rational function of an exponential as a fraction of that."""
     if (written := write_by_power(integrand, variable, _TANGENT)) is not None:
         rational, exponential = written
         for found in _propose_by_fractions(rational, _TANGENT):
@@ -255,11 +255,12 @@ def _propose_by_power(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Ex
 
 
 def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by what the integrand is made of, put up with unknown factors (Bronstein 2005).
+    """Integrate by the integrand's own parts with unknown factors (Bronstein 2005).
 
-    Beside an exponential of a square stands an error function, beside a wave that is divided by the
-    variable a sine integral. It takes long where functions are divided by or raised to letters,
-    waves divided by high powers, and at roots of functions, or roots but square ones beside them.
+    An error function is added for each exponential of a square, and a sine integral for each wave
+    divided by the variable. Skipped because they take long: functions divided by or raised to
+    letters, waves divided by high powers, roots of functions, and roots other than square roots
+    next to functions.
     """
     below = sp.fraction(sp.together(integrand))[1]
     functions = {node for node in below.atoms(sp.Function) if not isinstance(node, sp.exp)}
@@ -287,14 +288,14 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
 
 
 def _is_tried(power: sp.Pow) -> bool:
-    """Tell whether an exponent is a number or said to be whole; of functions, a whole number."""
+    """Return whether an exponent is a number or declared whole; over functions, a whole number."""
     if power.base.has(sp.Function):
         return bool(power.exp.is_Integer)
     return bool(power.exp.is_integer or power.exp.is_number)
 
 
 def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
-    """Part a sum by the waves and exponentials of its terms: none integrates that of another."""
+    """Group a sum's terms by their waves and exponentials: no group helps to integrate another."""
     terms: dict[frozenset[sp.Basic], list[sp.Expr]] = {}
     for term in sp.Add.make_args(integrand):
         functions = {f for f in term.atoms(sp.exp, sp.sin, sp.cos) if f.has(variable)}
@@ -303,7 +304,7 @@ def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]
 
 
 def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
-    """List what SymPy proposes for one sign of a parameter and for the other."""
+    """List SymPy's proposals for every case, such as one sign of a parameter and the other."""
     node = min(candidate.atoms(sp.Piecewise), key=sp.default_sort_key, default=None)
     if node is None:
         yield candidate
@@ -327,7 +328,7 @@ def _turn_fraction(fraction: sp.Expr, angle: sp.Expr) -> sp.Expr:
 
 
 def _turn(slope: sp.Expr, variable: sp.Expr) -> sp.Expr:
-    """Write atan(a*t + b), t = tan(x/2), as x/2 and an angle that does not jump."""
+    """Write atan(a*t + b), t = tan(x/2), as x/2 plus an angle that does not jump."""
     slope = sp.expand(slope)
     a, b = slope.coeff(_TANGENT, 1), slope.coeff(_TANGENT, 0)
     if slope != sp.expand(a * _TANGENT + b):

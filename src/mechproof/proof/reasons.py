@@ -1,4 +1,4 @@
-"""Reasons: what an answer says of what was not shown, and the answers of several parts as one."""
+"""Reasons: the text that says what was not shown, and several parts' answers joined into one."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WORST_FIRST = [Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, *Verdict]
 
 
 def join_answers(failed: Mapping[str, Answer], rung: str = "") -> Answer:
-    """Return the worst verdict of parts that fail, with what is said of each of them."""
+    """Return the worst verdict among the failed parts, with every part's reason and evidence."""
     named = sorted(failed.items(), key=lambda item: WORST_FIRST.index(item[1].verdict))
     reason = "; ".join(f"{name}: {answer.reason}" for name, answer in named)
     worst = named[0][1]
@@ -32,19 +32,19 @@ def join_answers(failed: Mapping[str, Answer], rung: str = "") -> Answer:
 
 
 def tell_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
-    """Say what terms of sums and integrands need that is not shown."""
+    """State the unproved conditions of terms of sums and of integrands."""
     told = dict.fromkeys(need.tell() for listed in needs for need in listed)
     return clip(f"it is true where {' and '.join(told)}, which is not shown")
 
 
 def tell_needs(needs: Sequence[list[Slack]]) -> str:
-    """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
+    """State the unproved conditions of roots, logarithms and so on, or "" if there are none."""
     told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
     return told if len(told) <= LONGEST else "every root and logarithm has a real value"
 
 
 def report_unproved(comparison: Comparison, why: str) -> Answer:
-    """Answer for sides that points do not tell apart: ENCLOSED if all of them could be decided."""
+    """Return the answer if no point separates the sides: ENCLOSED if every point was decided."""
     agreeing, undecided = comparison.agreeing, comparison.undecided
     told = [clip(why)]
     if agreeing:
@@ -59,7 +59,7 @@ def report_unproved(comparison: Comparison, why: str) -> Answer:
 
 
 def explain_relation(relation: sp.Basic, domain: Domain) -> str:
-    """Name the sign that is not shown, or what of a root is not."""
+    """Name the sign that is not shown, or the failed step of a proof by Newton's method."""
     if told := newton.explain(relation, domain):
         return told
     slack = find_slack(relation)
@@ -67,10 +67,10 @@ def explain_relation(relation: sp.Basic, domain: Domain) -> str:
 
 
 def count_parts(number: int) -> str:
-    """Say of how many parts something holds."""
+    """Write that all of a number of parts are meant: "both" or "all 3"."""
     return "both" if number == 2 else f"all {number}"
 
 
 def join_rungs(rungs: list[str]) -> str:
-    """Name each of the rungs once."""
+    """Join the rungs' names, each of them once."""
     return ", ".join(dict.fromkeys(rungs))

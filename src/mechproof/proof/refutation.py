@@ -1,8 +1,8 @@
 """Rung: a counterexample whose balls separate both sides; and the weaker enclosure.
 
-Zippel (1979) and Schwartz (1980) try identities at points and bound how likely a false one of
-polynomials passes. No such bound is claimed here, of functions that are none: a point at
-which balls are apart refutes, points at which they meet prove nothing.
+Zippel (1979) and Schwartz (1980) try identities at points and bound the probability that a false
+polynomial identity passes. No such bound is claimed here, where functions need not be polynomials:
+a point at which the balls are disjoint refutes; points at which they meet prove nothing.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from mechproof.statement_domains.domain import Domain, Point, sizes_of
 BALLS = "separating balls"
 POINTS = 40
 EVERY_POINT = "every point tried"
-# Points that are tried where each takes long, and where showing that a value is missing does.
+# Numbers of points where each takes long, and where finding that a value is missing takes long.
 FEW, FEWEST = 10, 4
 PRECISIONS = (64, 192, 512)
 # A first look, to refute false statements early; numbers are computed fast, so they get more bits.
@@ -40,8 +40,8 @@ _FIRST_POINTS, _FIRST_PRECISIONS, _PRECISIONS_OF_NUMBERS = 2, (64,), (64, 2048)
 # Choices of counts that are tried; more in a thorough search.
 _CHOICES = 3
 _MORE_CHOICES = 14
-# Statements that hold near zero may fail beyond the numbers that they name, if these are larger
-# than the first landmark, or far away.
+# Statements that hold near zero may fail far away, or beyond the numbers that they name, if these
+# are larger than the first landmark.
 _FIRST_LANDMARK = 5
 _FAR = (sp.Integer(10) ** 6, sp.Integer(10) ** 15)
 _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
@@ -56,7 +56,7 @@ _NARROW = arb(2) ** -32
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two expressions at the points of a domain."""
+    """How two expressions compare at points of a domain, with the widest distance met."""
 
     counterexample: Evidence | None
     agreeing: int
@@ -104,7 +104,7 @@ def compare(
 
 
 def are_seen_to_differ(sides: Sequence[sp.Expr], domain: Domain) -> bool:
-    """Return whether sides differ at one of the first points: what takes long need not be tried."""
+    """Return whether sides differ at one of the first points, so slow rungs can be skipped."""
     one, other = sides
     is_number = not any(side.free_symbols or side.has(sp.Integral) for side in sides)
     precisions = _PRECISIONS_OF_NUMBERS if is_number else _FIRST_PRECISIONS
@@ -130,15 +130,15 @@ def find_violation(relation: sp.Basic, domain: Domain) -> Evidence | None:
 
 
 def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINTS) -> str:
-    """Return an interior point at which a side has no value, empty if none is met."""
+    """Return an interior point at which a side has no value, or "" if none is met."""
     return _find_point(sides, domain, count, lambda have_values: not all(have_values))
 
 
 def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
-    """Return an interior point at which one side only has a value, empty if none is met.
+    """Return an interior point at which exactly one side has a value, or "" if none is met.
 
-    Few points are tried for integrals, and for sums, each of which is written out for every number
-    of terms.
+    Few points are tried for integrals, and for sums, which are written out for every number of
+    terms.
     """
     is_slow = any(has_parts(side, sp.Sum, sp.Product, sp.Integral) for side in sides)
     count = FEW if is_slow else POINTS
@@ -146,7 +146,7 @@ def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
 
 
 def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> str:
-    """Return a point with known values at which one side only has a value, empty for none."""
+    """Return a point with known values at which only one side has a value, or "" if none is met."""
     plain, counts = _list_letters(sides, domain)
     others = [count for count in counts if count not in known]
     with suppress(RecordError):
@@ -170,7 +170,7 @@ def _find_point(
 
 
 def has_value(side: sp.Basic, point: Point) -> bool:
-    """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
+    """Return whether a side has a value; exact numbers are put in only if balls do not show one."""
     if not has_parts(side, *_COUNTED) and balls.evaluate(side, point).is_finite():
         return True
     return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
@@ -181,8 +181,8 @@ def points_for(
 ) -> Iterator[Point]:
     """Yield points that give every symbol of the expressions a value, indexed ones included.
 
-    Thorough: published sizes and round angles before the ordinary points, more counts, and
-    special points after them. Raises `RecordError` where no point of the domain is found.
+    A thorough search tries published sizes and round angles first, then more counts, and special
+    points last. Raises `RecordError` if no point of the domain is found.
     """
     plain, counts = _list_letters(expressions, domain)
     if thorough:
@@ -200,7 +200,7 @@ def points_for(
 def _list_letters(
     expressions: Sequence[sp.Basic], domain: Domain
 ) -> tuple[list[sp.Basic], list[sp.Basic]]:
-    """List the letters but for families, those that count apart."""
+    """List the letters that are no families, and separately those that are counts."""
     free = {s for e in expressions for s in find_free(e)}
     bases = {i.base.label for e in expressions for i in find_parts(e, sp.Indexed)}
     symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
@@ -209,9 +209,9 @@ def _list_letters(
 
 
 def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
-    """List numbers about and beyond the large ones that expressions name, far away, next to zero.
+    """List numbers near zero, far away, and at and beyond the large ones that expressions name.
 
-    None where counts say how many terms or elements there are.
+    Return nothing if counts set numbers of terms or elements.
     """
     if any(has_parts(e, *_COUNTED, sp.Indexed) for e in expressions):
         return []
@@ -222,7 +222,7 @@ def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
 
 @lru_cache(maxsize=64)
 def refuse_empty(domain: Domain) -> None:
-    """Raise `RecordError` where no point is found that a relation of the domain allows."""
+    """Raise `RecordError` if no point is found that satisfies a relation of the domain."""
     for relation in domain.where:
         numbers = {k for item in relation.atoms(sp.Indexed) for k in item.indices}
         first = dict.fromkeys(numbers & relation.free_symbols, sp.S.One)
@@ -234,7 +234,7 @@ def _published_points(
 ) -> Iterator[Point]:
     """Yield points at the published sizes that the domain allows, then at round angles alone.
 
-    A symbol without a published size has its usual size first, where the domain allows both.
+    Where usual sizes exist, points with these for symbols without a published size come first.
     """
     usual = {s: v for s, v in domain.usual.items() if s in {*counts, *plain}}
     published: list[Point] = [*map(sizes_of, domain.published), {}]
@@ -245,16 +245,17 @@ def _published_points(
 
 
 def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
-    """List the elements of families that are met once counts have their sizes."""
+    """List the elements of families that appear once counts have their sizes."""
     families = (e for e in expressions if find_parts(e, sp.Indexed))
     elements = {i for e in families for i in find_parts(put_exactly(e, sizes), sp.Indexed)}
     return sorted(elements, key=str)
 
 
 def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
-    """Put what no ball holds exactly, and counts, so that sums are written out.
+    """Put in the values that no ball holds exactly, and counts, so that sums are written out.
 
-    Beside floors all is put: of a sixth, which is no ball, a multiple may be a whole number.
+    With floors, every value is put in: a multiple of 1/6, which no ball holds exactly, may be a
+    whole number.
     """
     if isinstance(expression, Relational | BooleanFunction):
         parts = [put_exactly(part, point) for part in expression.args]
@@ -278,14 +279,14 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
     return _write_out_at(expression, tuple(exact.items()))
 
 
-# Many points share their counts, and what is written out once is also compiled once.
+# Many points share their counts, and an expression written out once is also compiled once.
 @lru_cache(maxsize=256)
 def _write_out_at(expression: sp.Basic, exact: tuple[tuple[sp.Basic, sp.Basic], ...]) -> sp.Basic:
     return write_out(substitute(expression, dict(exact)))
 
 
 def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
-    """Tell whether a root or logarithm outside of cases has a certainly negative argument."""
+    """Return whether a root or logarithm outside of cases has a certainly negative argument."""
     if isinstance(expression, sp.Piecewise) or not find_free(expression) <= point.keys():
         return False
     if any(_leaves_the_reals(part, point) for part in expression.args):
@@ -305,7 +306,7 @@ def _enclose_both(
     *,
     gives_up: bool,
 ) -> tuple[balls.Ball, balls.Ball, str]:
-    """Enclose both sides with more and more bits; or give up where few do not make them narrow."""
+    """Enclose both sides with increasing bits, or give up if the first do not make them narrow."""
     printed, rebuilt = (put_exactly(side, point) for side in (printed, rebuilt))
     decided = "open"
     for bits in precisions:
@@ -321,12 +322,12 @@ def _enclose_both(
 
 
 def _name_relation(relation: sp.Basic) -> str:
-    """Write a relation out where it is short, else as one of the sides shown with it."""
+    """Write a short relation out; call a long one by the names of its displayed sides."""
     text = str(relation)
     sides = f"printed {relation.rel_op} rebuilt" if relation.is_Relational else "the relation"
     return text if len(text) <= _LONGEST_RELATION else sides
 
 
 def name_point(point: Point, domain: Domain) -> str:
-    """Write the values of letters at a point."""
+    """Write the values of the letters at a point."""
     return ", ".join(f"{name} = {value}" for name, value in show_point(point, domain).items())

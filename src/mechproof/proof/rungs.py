@@ -1,4 +1,4 @@
-"""Rungs: the names of the ways in which rows are decided, each explained in one sentence."""
+"""Rungs: the names of the methods that decide rows, each explained in one sentence."""
 
 from __future__ import annotations
 
@@ -106,9 +106,9 @@ RUNGS = {
 
 
 def name_rungs(rungs: Iterable[str]) -> list[str]:
-    """List the single rungs of the ledger's rows in the order of their explanations.
+    """List the distinct rungs of the ledger's rows in the order of `RUNGS`.
 
-    Raises `KeyError` for one without an explanation.
+    Each text may join several rungs by commas. Raises `KeyError` for a rung without an explanation.
     """
     met = {name for joined in rungs for name in joined.split(", ")}
     if unknown := sorted(met - RUNGS.keys()):

@@ -1,9 +1,9 @@
 """Forms of a number that have its sign, in which the sign is easier to see.
 
-A quotient is multiplied by what is below it, and divided by what stands before its logarithms. Of
-two terms with opposite signs the logarithms are compared. With whole numbers it is
-one of real numbers, and two positive variables are one of them and their ratio: where the number is
-homogeneous, the ratio is left.
+A quotient is multiplied by its denominator, and divided by the common factor of its logarithms. Two
+terms of opposite sign are compared by their logarithms. Whole numbers are replaced by real ones,
+and two positive variables by one of them and their ratio: if the number is homogeneous, only the
+ratio is left.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def list_forms(value: sp.Expr, domain: Domain) -> Iterator[Form]:
 
 
 def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
-    """Divide by the factors that are positive, and by the opposite of those that are negative."""
+    """Divide by the positive factors, and by the opposites of the negative ones."""
     kept = sp.S.One
     for factor in sp.Mul.make_args(sp.factor_terms(sp.together(sp.powsimp(value)))):
         base, power = factor.as_base_exp()
@@ -48,7 +48,7 @@ def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
-    """Drop factors that have signs, and what stands before all logarithms alike."""
+    """Drop factors with known signs, and the factor that all logarithms have in common."""
     value = drop_signed_factors(value, domain)
     nodes = sorted(value.atoms(sp.log), key=sp.default_sort_key)
     if not nodes:
@@ -68,7 +68,7 @@ def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Write a - b, both positive and one a power that is no root, as ln a - ln b."""
+    """Write a - b, both positive and one a power that is no root, as ln a - ln b; else None."""
     value = sp.collect(value, _list_powers(value))
     terms = value.args if isinstance(value, sp.Add) else ()
     if len(terms) != 2 or not _list_powers(value):
@@ -91,7 +91,7 @@ def _list_powers(value: sp.Expr) -> list[sp.Expr]:
 
 
 def _list_ratios(value: sp.Expr, domain: Domain) -> Iterator[Form]:
-    """Write one of two positive variables as the other and their ratio, if the latter is left."""
+    """Write one of two positive variables as the other times their ratio, if only that remains."""
     symbols = sorted(value.free_symbols, key=str)
     for large, small in permutations(symbols, 2):
         least = _find_least_ratio(large, small, domain)
@@ -116,7 +116,7 @@ def _write_power(exponent: sp.Expr) -> sp.Expr:
 
 
 def _find_least_ratio(large: sp.Symbol, small: sp.Symbol, domain: Domain) -> sp.Interval | None:
-    """Return where the ratio of two positive variables lies, None where they are not positive."""
+    """Return the interval of the ratio of two positive variables, or None if they may not be."""
     if not is_positive(small, domain):
         return None
     said = {find_slack(relation) for relation in domain.where}

@@ -1,13 +1,13 @@
 """Rung: the sign of an expression on a domain, proved by a change to positive coordinates.
 
 Every interval becomes a half-line (e in [0, 1) is v/(1 + v) with v >= 0; R2 < R1 is
-R1 = R2 + d with d > 0), angles become half-angle tangents, and the sign of a quotient of
-polynomials is left (`polynomial_signs`). Sound, not complete: `None` means "not shown".
+R1 = R2 + d with d > 0) and angles become half-angle tangents, which leaves the sign of a quotient
+of polynomials (`polynomial_signs`). Sound, not complete: `None` means "not shown".
 
-To write a larger number as a smaller one and a gap is the successive difference substitution of
+Writing a larger number as a smaller one plus a gap is the successive difference substitution of
 Yang (2005), who repeats it for every order of the symbols; here the domain states the order. That a
 polynomial without a minus sign is positive on a half-line is Pólya's certificate (1928), without
-his multiplier: what shows no sign as it stands is not multiplied until it does.
+his multiplier: a polynomial that shows no sign at once is not multiplied until it does.
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ from mechproof.statement_domains.domain import Domain
 
 # Work limit: larger powers and multiples of angles are not multiplied out.
 MOST_MULTIPLIED = 100
-# Work limit: operations of an expression that is factored.
+# Work limit: most operations of an expression that is factored.
 _MOST_FACTORED = 60
 
 
 def is_workable(expression: sp.Basic) -> bool:
-    """Tell whether no whole power is beyond the limit."""
+    """Return whether no whole power exceeds the limit."""
     powers = (p.exp for p in find_parts(expression, sp.Pow) if p.exp.is_Integer)
     return all(abs(power) <= MOST_MULTIPLIED for power in powers)
 
@@ -83,7 +83,7 @@ def _find_sign_with_roots(expression: sp.Expr, domain: Domain) -> StrictSign | N
 
 
 def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign with cosines as numbers in [-1, 1], where no sine is left."""
+    """Return the sign with cosines as numbers in [-1, 1], if no sines remain."""
     if not expression.has(sp.sin, sp.cos) or expression.has(ExprWithLimits):
         return None
     if not is_workable(expression):
@@ -110,7 +110,7 @@ def _find_sign_in_box(expression: sp.Expr, domain: Domain) -> StrictSign | None:
 
 
 def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign of what is linear in its one sine or cosine, from the ends of its range."""
+    """Return the sign of an expression linear in its one sine or cosine, from its range's ends."""
     wave, *others = expression.atoms(sp.sin, sp.cos)
     named = expression.xreplace({wave: (size := sp.Dummy("c", real=True))})
     others += [s for s in wave.free_symbols if s in named.free_symbols]
@@ -121,10 +121,10 @@ def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None
 
 
 def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    """Return the sign of a product with factors whose signs follow from relations, as xy < 1."""
+    """Return the sign of a product some of whose factors have signs given by relations."""
     said = [slack for slack in map(find_slack, domain.where) if slack]
     said = [Slack(domain.resolve(value), strict) for value, strict in said]
-    # Without the relations, which would ask for these signs again.
+    # Drop the relations: with them, these signs would be asked for again without end.
     free = replace(domain, where=())
     said += [
         value
@@ -153,9 +153,9 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
 def multiply_signs(
     product: sp.Expr, find: Callable[[sp.Expr], StrictSign | None]
 ) -> StrictSign | None:
-    """Return the sign of a product from those of its factors; None where one is not shown.
+    """Return the sign of a product from those of its factors, or None if one is not shown.
 
-    Those that are not shown by themselves may be shown together.
+    Factors whose signs are not shown one by one are tried once more as one product.
     """
     sign, unshown = StrictSign(1, True), sp.S.One
     factors = sp.Mul.make_args(product)
@@ -169,7 +169,7 @@ def multiply_signs(
         elif not (found.strict or power > 0):
             return None
         else:
-            # Of a root, too, only what stands under it may be negative.
+            # A root, too, takes its sign from its radicand alone.
             sign = sign.times(found if power % 2 == 1 else StrictSign(1, found.strict))
     if unshown == 1:
         return sign
@@ -180,7 +180,7 @@ def multiply_signs(
 
 @lru_cache(maxsize=256)
 def _leave_known_factors(slack: Slack, domain: Domain) -> Slack:
-    """Divide what is said not to be negative by factors whose signs are known."""
+    """Divide a relation's slack by those of its factors whose strict signs are known."""
     value = slack.value
     if value.count_ops() > _MOST_FACTORED or not (is_workable(value) and _is_quotient(value)):
         return slack
@@ -192,14 +192,14 @@ def _leave_known_factors(slack: Slack, domain: Domain) -> Slack:
 
 
 def _is_quotient(expression: sp.Expr) -> bool:
-    """Tell whether an expression is a quotient of polynomials of letters and functions."""
+    """Return whether an expression is a quotient of polynomials in letters and functions."""
     functions = find_parts(expression, sp.Function)
     named = expression.xreplace({function: sp.Dummy() for function in functions})
     return bool(named.is_rational_function())
 
 
 def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
-    """Return the sign of a number that is a multiple of one that a relation says."""
+    """Return the sign of a number that is a multiple of a slack given by a relation."""
     for value, strict in said:
         above, below = cancel(number / value)
         if above.is_number and below.is_number and above != 0:
@@ -208,25 +208,25 @@ def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
 
 
 def is_positive(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an expression is proved to be positive on the domain."""
+    """Return whether an expression is proved to be positive on the domain."""
     sign = find_sign(expression, domain)
     has_direction = sign is not None and sign.direction > 0
     return has_direction and (_is_strict(sign) or _is_said_nonzero(expression, domain))
 
 
 def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an expression is proved not to be negative on the domain."""
+    """Return whether an expression is proved to be non-negative on the domain."""
     sign = find_sign(expression, domain)
     return sign is not None and sign.direction > 0
 
 
 def is_nonzero(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an expression is proved to have no zero on the domain: by its signs, or said."""
+    """Return whether an expression is proved, by its sign or a relation, to have no zero."""
     return _is_strict(find_sign(expression, domain)) or _is_said_nonzero(expression, domain)
 
 
 def _is_said_nonzero(expression: sp.Expr, domain: Domain) -> bool:
-    """Tell whether each factor is said not to be zero, or has a sign."""
+    """Return whether each factor has a strict sign or is stated to be nonzero."""
     said = [r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Unequality)]
     if not said or expression.count_ops() > _MOST_FACTORED:
         return False
@@ -235,7 +235,7 @@ def _is_said_nonzero(expression: sp.Expr, domain: Domain) -> bool:
 
 
 def _is_said(base: sp.Expr, said: Sequence[sp.Expr]) -> bool:
-    """Tell whether a number is a multiple of one that is said not to be zero."""
+    """Return whether a number is a multiple of one that is stated to be nonzero."""
     ratios = (sp.cancel(base / number) for number in said)
     return any(ratio.is_number and ratio != 0 for ratio in ratios)
 
@@ -245,12 +245,12 @@ def _is_strict(sign: StrictSign | None) -> bool:
 
 
 def is_within_quarter_turn(angle: sp.Expr, domain: Domain) -> bool:
-    """Tell whether an angle is proved to lie within a quarter turn to both sides."""
+    """Return whether an angle is proved to lie strictly between -pi/2 and pi/2."""
     return all(is_positive(sp.pi / 2 + k * angle, domain) for k in (1, -1))
 
 
 def is_shown(slack: Slack, domain: Domain) -> bool:
-    """Tell whether a slack is proved to be positive, or not negative, as it must be."""
+    """Return whether a slack is proved: positive if it is strict, else non-negative."""
     return (is_positive if slack.strict else is_nonnegative)(slack.value, domain)
 
 
@@ -274,7 +274,7 @@ def _weaker(one: StrictSign | None, other: StrictSign | None) -> StrictSign | No
 
 
 def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Basic, sp.Expr]]:
-    """List the ends that the coordinate v/(1 + v) does not reach."""
+    """List the closed right ends, which the coordinate v/(1 + v) does not reach."""
     sets = {s: domain.set_of(s) for s in _with_related(expression, domain)}
     return [
         (symbol, where.end)
@@ -305,7 +305,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | No
 def _may_hide_sign(radicand: sp.Expr, coordinates: Coordinates) -> bool:
     """Return whether a factor of a radicand may be negative where another one is zero.
 
-    SymPy takes the other one out of the root, as if the rest had a root there, too.
+    SymPy takes the other factor out of the root, as if the rest had a root there, too.
     """
     factors = sp.Mul.make_args(radicand.xreplace(coordinates.replacement))
     may_vanish = any(factor in coordinates.nonnegative for factor in factors)
@@ -332,9 +332,9 @@ def _with_related(expression: sp.Expr, domain: Domain) -> set[sp.Basic]:
 
 
 def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates) -> None:
-    """Write a letter by its bound and a gap, its own interval being endless on that side.
+    """Write a letter as its bound and a gap, if its own interval is unbounded on that side.
 
-    On the other side the interval begins no nearer than the bound.
+    At its other end the interval must not cut off values up to the bound.
     """
     slack = find_slack(relation)
     if slack is None:
@@ -345,8 +345,7 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
             continue
         bound, way, where = letter - slack.value / rate, sp.sign(rate), domain.set_of(letter)
         near, far = (where.inf, where.sup) if way == 1 else (where.sup, where.inf)
-        # A letter that is bounded on that side keeps its own coordinate: a gap would lose the
-        # bound.
+        # A letter bounded on that side keeps its own coordinate: a gap would lose the bound.
         if bound.has(letter) or far != way * sp.oo:
             continue
         # Without the relations, which would ask for this sign again.
@@ -365,7 +364,7 @@ def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
 
 
 def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
-    """Return the sign by half-angle tangents; they miss the half turn, where it may be zero."""
+    """Return the sign by half-angle tangents; they miss the half turn, which is checked apart."""
     sign = sign_of_quotient(write_by_half_angles(expression), coordinates)
     if sign is None or not sign.strict:
         return sign

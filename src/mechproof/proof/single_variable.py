@@ -1,14 +1,13 @@
 """Rung: a transcendental inequality in one variable on a closed interval, by bisection.
 
-For a variable that stands both inside a sine (exponential, ...) and outside it. A strict sign is
-proved by balls over subintervals. Where the function vanishes at an end of the interval, or at 0
-inside it, the sign follows from that of its derivative. It is Moore's bisection (1966), with the
-derivative where no box is small enough.
+This is for a variable that appears both inside a sine (exponential, ...) and outside it. A strict
+sign is proved by balls over subintervals. Where the function vanishes at an end of the interval, or
+at 0 inside it, its sign follows from that of its derivative. This is Moore's bisection (1966), with
+the derivative where no box is small enough.
 
-Bounds near zero: |f(x)| <= b*|x|**n for |x| <= r, by the Taylor coefficients of f at zero.
-
-Those below n vanish, being rational numbers; the others, and Lagrange's remainder in balls over the
-whole range, add up to b at most.
+Bounds near zero, |f(x)| <= b*|x|**n for |x| <= r, are proved by the Taylor coefficients of f at 0.
+Those below n vanish, being rational numbers; the sum of the others and of Lagrange's remainder,
+enclosed in balls over the whole range, is at most b.
 """
 
 from __future__ import annotations
@@ -54,7 +53,7 @@ def holds_on_interval(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _is_smooth(expression: sp.Expr) -> bool:
-    """Tell whether the balls of all functions are finite exactly where these are continuous."""
+    """Return whether each function used has finite balls only where it is continuous."""
     powers = expression.atoms(sp.Pow)
     functions = expression.atoms(sp.Function)
     return (
@@ -65,7 +64,7 @@ def _is_smooth(expression: sp.Expr) -> bool:
 
 
 def _is_mixed(expression: sp.Expr) -> bool:
-    """Tell whether the variable is left when every function of it is named."""
+    """Return whether the variable appears both inside a function and outside all of them."""
     named = {f: sp.Dummy() for f in expression.atoms(sp.Function)}
     return expression.has(*named) and not expression.free_symbols.isdisjoint(
         expression.xreplace(named).free_symbols
@@ -98,7 +97,7 @@ def _is_positive(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
     ball = _enclose(f, ends)
     if ball > 0:
         return True
-    # Cutting the interval does not help where the value at an end is not positive.
+    # Cutting the interval does not help if the value at an end is not positive.
     if halvings == 0 or any(_enclose(f, (end, end)) <= 0 for end in ends):
         return False
     return all(_is_positive(f, half, halvings - 1) for half in _halve(ends))
@@ -130,7 +129,7 @@ PARTS = 64
 
 
 def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
-    """Tell whether a relation is such a bound, and true."""
+    """Return whether a relation is a bound |f(x)| <= b*|x|**n near zero and is proved."""
     if not (isinstance(relation, sp.LessThan) and isinstance(relation.lhs, sp.Abs)):
         return False
     value, symbols = relation.lhs.args[0], relation.free_symbols
@@ -150,7 +149,7 @@ def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _read_power(side: sp.Expr, x: sp.Symbol) -> tuple[sp.Rational, int]:
-    """Return b and n of b*|x|**n, n = 0 for what is none."""
+    """Return b and n of b*|x|**n, with n = 0 for any other side."""
     size = sp.Symbol("size", positive=True)
     bound, rest = side.xreplace({sp.Abs(x): size, x: size}).as_coeff_Mul()
     base, power = rest.as_base_exp()
@@ -159,13 +158,13 @@ def _read_power(side: sp.Expr, x: sp.Symbol) -> tuple[sp.Rational, int]:
 
 
 def _find_reach(values: sp.Set) -> sp.Rational | None:
-    """Return the largest size in a bounded interval with rational ends."""
+    """Return the largest modulus in an interval with rational ends, or None for other sets."""
     ends = (values.inf, values.sup) if isinstance(values, sp.Interval) else ()
     return max(map(abs, ends)) if ends and all(end.is_Rational for end in ends) else None
 
 
 def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
-    """Bound the coefficient after the last one at every place of the range."""
+    """Bound the Taylor coefficient of the remainder, that of order `ORDER`, over the range."""
     expression = TaylorExpression(value, x, {}, {})
     sizes: list[arb] = []
     assert ORDER < LONGEST

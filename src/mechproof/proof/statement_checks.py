@@ -1,10 +1,10 @@
-"""Does a statement say only what its symbols are declared for? Else it is our fault: an error.
+"""Check that a statement uses its symbols only as declared; otherwise the error is ours.
 
-What a paper prints may be ill-formed, which is a verdict (`wellformed`). What we rebuild, correct,
-read otherwise or complete may not. And what is true of something else mends nothing: a correction
-has to state the quantity of its row, a reading what the row prints or what is held against it, and
-neither may compare anything else with itself. A print in words is stated by hand: there a letter in
-common is enough.
+A paper's print may be ill-formed, which is a verdict (`wellformed`). Our rebuilt sides,
+corrections, readings and completions must not be. Nor does a truth about something else mend
+anything: a correction has to state its row's quantity, a reading the row's print or the side that
+the print is compared with, and neither may compare anything else with itself. A print in words is
+stated by hand: there one common letter is enough.
 """
 
 from __future__ import annotations
@@ -57,10 +57,10 @@ def check_statement(
     printed: bool = True,
     mended: bool = False,
 ) -> None:
-    """Raise `RecordError` for what no paper can be blamed for.
+    """Raise `RecordError` for errors that no paper can be blamed for.
 
     `printed`: the print is among the sides; a correction, a reading or a completion is all ours.
-    `mended`: what should be printed is said, so that another dimension is the fault of the print.
+    `mended`: a correction is given, so that unlike dimensions are the print's fault.
     """
     if isinstance(statement, Conjunction | Completions):
         for part, is_printed in _parts(statement, printed):
@@ -100,7 +100,7 @@ def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]
 
 
 def _check_size(name: str, side: sp.Basic) -> None:
-    """Turn away towers of powers that no step could write down: a limit of the prover."""
+    """Refuse towers of powers that no step could write out: a limit of the prover."""
     for power in find_parts(side, sp.Pow):
         exponent = power.exp
         if exponent.is_number and not abs(balls.evaluate(exponent, {})) < LARGEST_EXPONENT:
@@ -203,7 +203,7 @@ def check_restatements(row: Row, domain: Domain) -> None:
 def _compare(
     what: str, says: Statement, row: Row, domain: Domain, shown: Iterable[sp.Basic]
 ) -> None:
-    """Require that a part is not void, and has a side among those that are `shown`."""
+    """Require that some part is not void and has a side among `shown`, or is a print in words."""
     ours, own = (_resolve(sides, domain) for sides in (_quantities(row.statement), shown))
     telling = [part for part in _list_parts(says) if not _is_void(part, ours, domain)]
     if not telling:
@@ -219,13 +219,13 @@ def _compare(
 
 
 def _resolve(sides: Iterable[sp.Basic], domain: Domain) -> set[sp.Basic]:
-    """Return sides as they stand and with what is declared of their letters."""
+    """Return the sides as written and also with the declared values of their letters."""
     listed = list(sides)
     return {*listed, *map(domain.resolve, listed)}
 
 
 def _is_void(part: Statement, ours: set[sp.Basic], domain: Domain) -> bool:
-    """Return whether something is compared with itself that is no quantity of the row."""
+    """Return whether a part only compares something other than the row's quantity with itself."""
     if isinstance(part, Holds):
         relations = part.relation.atoms(Relational)
         return any(relation.lhs == relation.rhs for relation in relations)
@@ -249,7 +249,7 @@ def _list_parts(says: Statement) -> Iterator[Statement]:
 
 
 def _quantities(says: Statement) -> Iterator[sp.Basic]:
-    """Yield what is the row's own whatever is printed of it: our side, where there is one."""
+    """Yield the row's own quantities, whatever is printed: our side if mechanics gives it."""
     for part in _list_parts(says):
         if isinstance(part, Equality) and part.rebuilt_from == "mechanics":
             yield part.rebuilt

@@ -1,11 +1,11 @@
-"""Rung: a sum whose terms hold n, by a pair of Wilf and Zeilberger (1990).
+"""Rung: a sum whose terms contain n, by a pair of Wilf and Zeilberger (1990).
 
-With F(n, k) the term, F(n + 1, k) - g(n)*F(n, k) is shown to be G(n, k + 1) - G(n, k), G = R*F with
-a fraction R. A form of R and the growth g are solved for, as in Zeilberger's algorithm (1991); what
-counts is that the identity holds as one of fractions, that R and g have no pole and no factorial
-above is one of a negative number where k runs, and that the value begins and grows as the sum does,
-what is left at the ends included. Below, a factorial of a negative number makes a term zero, also
-as a limit.
+With the term F(n, k), F(n + 1, k) - g(n)*F(n, k) is shown to equal G(n, k + 1) - G(n, k), G = R*F
+with a fraction R. An ansatz for R and the growth g are solved for, as in Zeilberger's algorithm
+(1991). What counts is that the identity of fractions holds; that, over the range of k, R and g have
+no pole and no factorial in a numerator is that of a negative number; and that the value begins and
+grows as the sum does, remainders at the ends included. In a denominator, a factorial of a negative
+number makes a term zero, also as a limit.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ RUNG = "Wilf-Zeilberger pair"
 
 
 class _Claim(NamedTuple):
-    """The sum of a term over k, from a first number to n, is the value for all n."""
+    """The claim that the sum of a term over k, from `first` to n, equals `value` for all n."""
 
     term: sp.Expr
     k: sp.Symbol
@@ -43,7 +43,7 @@ class _Claim(NamedTuple):
 
 
 def decide_by_telescoping(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left = right says what one sum to n of terms with n is, else None."""
+    """Return the rung if left = right gives the value of one sum to n with n in it, else None."""
     claim = _read(domain.resolve(left - right))
     if claim is None or _count_factorials(claim.term) > _MOST_FACTORIALS:
         return None
@@ -51,7 +51,7 @@ def decide_by_telescoping(left: sp.Expr, right: sp.Expr, domain: Domain) -> str 
 
 
 def _read(difference: sp.Expr) -> _Claim | None:
-    """Solve a difference that is zero for the one sum in it."""
+    """Solve a difference that is zero for its only sum; None if it has no such sum."""
     sums = difference.atoms(sp.Sum)
     if len(sums) != 1 or difference.has(sp.Indexed, sp.Integral):
         return None
@@ -77,7 +77,7 @@ def _read(difference: sp.Expr) -> _Claim | None:
 
 
 def _has_factorials(claim: _Claim) -> bool:
-    """Tell whether no factorial in a numerator is that of a negative number."""
+    """Return whether no factorial in a numerator is that of a negative number."""
     counts = _count_on(claim)
     above, _ = sp.fraction(claim.term)
     numbers = [factorial.args[0] for factorial in above.atoms(sp.factorial)]
@@ -86,20 +86,20 @@ def _has_factorials(claim: _Claim) -> bool:
 
 
 def _count_on(claim: _Claim) -> dict[sp.Symbol, sp.Expr]:
-    """Return k from the first number on, and n from k on."""
+    """Return k as `first` plus a count, and n as k plus a count."""
     gap, above = (sp.Dummy(name, integer=True, nonnegative=True) for name in ("gap", "above"))
     return {claim.n: claim.first + above + gap, claim.k: claim.first + above}
 
 
 def _count_factorials(term: sp.Expr) -> int:
-    """Count factorials with their powers."""
+    """Count factorials, each as often as its power says."""
     parts = (factor.as_base_exp() for factor in sp.Mul.make_args(term))
     inside = ((len(base.atoms(sp.factorial)), power) for base, power in parts)
     return sum(number * abs(int(power)) for number, power in inside if number and power.is_Integer)
 
 
 def _has_value(claim: _Claim, domain: Domain) -> bool:
-    """Tell whether a claim holds for the first n and, if for n, for n + 1."""
+    """Return whether a claim holds for the first n, and for n + 1 if for n."""
     term, k, lower, n, value = claim
     first = find_first(n, domain) or 1
     start = max(first, lower)
@@ -123,7 +123,7 @@ def _has_value(claim: _Claim, domain: Domain) -> bool:
 
 
 def _holds_at(claim: _Claim, number: int, domain: Domain) -> bool:
-    """Tell whether a claim holds for one n; a sum that ends before it begins is nothing."""
+    """Return whether a claim holds for one n; a sum that ends before it begins is zero."""
     term, k, lower, n, value = claim
     total = sp.Sum(term, (k, lower, n)) if number >= lower else sp.S.Zero
     sides = (substitute(side, {n: sp.Integer(number)}) for side in (total, value))
@@ -131,7 +131,7 @@ def _holds_at(claim: _Claim, number: int, domain: Domain) -> bool:
 
 
 def _has_no_pole(fraction: sp.Expr, claim: _Claim, start: int, domain: Domain) -> bool:
-    """Tell whether a fraction has no pole for any n from a start on and any k up to it."""
+    """Return whether a fraction has no pole for any n from `start` on and any k up to n."""
     counts = _count_on(claim)
     later = {claim.n: start + sp.Dummy("gap", integer=True, nonnegative=True)}
     _, below = sp.fraction(sp.factor(fraction))
@@ -142,7 +142,7 @@ def _has_no_pole(fraction: sp.Expr, claim: _Claim, start: int, domain: Domain) -
 
 
 def reduce_quotient(quotient: sp.Expr) -> sp.Expr | None:
-    """Return a quotient of like terms as a fraction, None where something else is left."""
+    """Return a quotient of like terms as a fraction, or None if it does not reduce to one."""
     written = sp.combsimp(sp.powsimp(quotient))
     written = sp.cancel(sp.together(split_powers(prepare(written))))
     is_fraction = written.is_rational_function(*written.free_symbols)
@@ -158,10 +158,10 @@ def _find_polynomial(term: sp.Expr, k: sp.Symbol) -> sp.Expr:
 def _solve(
     change: sp.Expr, growth: sp.Expr, factor: sp.Expr, k: sp.Symbol
 ) -> tuple[sp.Expr, sp.Expr] | None:
-    """Solve for a rate and for R = v(k - 1)*P/(f*w), P a polynomial.
+    """Solve for a rate and for R = v(k - 1)*P/(f*w), where P is an unknown polynomial.
 
-    With f the polynomial factor of the term, v and w are the denominators of the growth of the rest
-    and of the change. This is faster than Gosper's algorithm where factors are squares.
+    f is the polynomial factor of the term; v and w are the denominators of the growth of the rest
+    and of the change. This is faster than Gosper's algorithm if factors are squares.
     """
     rest = sp.cancel(growth * factor / factor.subs(k, k + 1))
     form = sp.denom(rest).subs(k, k - 1) / (factor * sp.denom(change))
@@ -179,7 +179,7 @@ def _solve(
 
 
 def is_nonzero_below(fraction: sp.Expr, counts: dict[sp.Symbol, sp.Expr], domain: Domain) -> bool:
-    """Tell whether a fraction has no pole for any of the counts."""
+    """Return whether a fraction has no pole for any of the counts."""
     _, below = sp.fraction(sp.together(fraction))
     written = below.xreplace(counts)
     whole = {s for s in {*counts, *written.free_symbols} if s.is_integer and s.is_nonnegative}

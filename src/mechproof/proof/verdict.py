@@ -1,4 +1,4 @@
-"""What the ladder answers and what the ledger prints: a judgement, or a row left without one."""
+"""The ladder's answers and the ledger's lines: a judgement, or a row left without a verdict."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from mechproof.tools.notebook import Displayed
 
 
 class Verdict(StrEnum):
-    """Exactly one for each row."""
+    """A row's verdict: every judged row has exactly one."""
 
     PROVED = "PROVED"
     REFUTED = "REFUTED"
@@ -36,7 +36,7 @@ OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
 class State(StrEnum):
-    """How far a row got; what is not judged has no verdict."""
+    """How far a row got; a row that is not judged has no verdict."""
 
     JUDGED = "judged"
     NOT_JUDGED = "not judged"
@@ -68,14 +68,14 @@ MEANINGS: Mapping[Verdict, str] = MappingProxyType(
 
 
 def name_row(system: str, number: str) -> str:
-    """Return the name by which a row can be cited: its paper and its number."""
+    """Return the id by which a row can be cited: its paper and its number."""
     return f"{system}/{name_anchor(number)}"
 
 
 def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
-    """Tell a print, which is verbatim, from a sentence, which a transcription gives in our words.
+    """File a text as "print", which is verbatim, or "paraphrase": a transcription in our words.
 
-    All that stands in a paper's own source is verbatim.
+    Everything read from a paper's own source is verbatim.
     """
     name = "paraphrase" if is_sentence(latex) and not is_source else "print"
     return {"print": "", "paraphrase": "", name: latex}
@@ -83,7 +83,7 @@ def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Left:
-    """A row without a verdict: where it stands, how far it got, why, and what can be done."""
+    """A row without a verdict: its place, how far it got, why no further, and a remedy."""
 
     number: str
     place: Place
@@ -106,9 +106,9 @@ class Left:
 
 @dataclass(frozen=True)
 class Evidence:
-    """What a verdict rests on: where, and the two sides as balls, or a witness in words.
+    """What a verdict rests on: a point and both sides there as balls, or a witness as text.
 
-    `dimension` is that of both sides: angles are in radians.
+    `dimension` is that of both sides; angles are in radians.
     """
 
     what: str
@@ -129,7 +129,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Answer:
-    """What the ladder says of one statement; `corrected_by` is the rung of a proved correction."""
+    """The ladder's answer to one statement; `corrected_by` is the rung that proves a correction."""
 
     verdict: Verdict
     rung: str
@@ -140,11 +140,11 @@ class Answer:
 
 @dataclass(frozen=True)
 class Judgement(Displayed):
-    """One line of the ledger; `on` is the part of the paper's domain that it is said of.
+    """One line of the ledger; `on` is the part of the paper's domain that it is about.
 
-    `compared_with` is the LaTeX of the other side; `cites` are the sentences of the transcription
-    that it judges, `quantities` those whose formulas or kernels rest on it; `place` is where a
-    paper's own source has it.
+    `compared_with` is the LaTeX of the other side; `cites` lists the sentences of the transcription
+    that the line judges, `quantities` those whose formulas or kernels rest on it; `place` is the
+    position in a paper's own source.
     """
 
     system: str
@@ -168,12 +168,12 @@ class Judgement(Displayed):
 
     @property
     def id(self) -> str:
-        """Return the name by which a row can be cited: its paper and its number."""
+        """Return the id by which a row can be cited: its paper and its number."""
         return name_row(self.system, self.number)
 
     @property
     def sides(self) -> tuple[str, str]:
-        """Return what the two sides of evidence are: in a paper's own source both are printed."""
+        """Return the names of the evidence's sides; in a paper's own source both are printed."""
         return ("one side", "other side") if self.place else ("printed", "rebuilt")
 
     def as_dict(self) -> dict[str, object]:
@@ -206,9 +206,9 @@ TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
 
 
 def read_number(text: str) -> Mapping[str, float]:
-    """Return value and, of a ball, radius; nothing of a text that is no number.
+    """Return the value and, for a ball, the radius; nothing if the text is not a number.
 
-    What stands in round brackets behind the number is said of it, as its degrees.
+    Text in round brackets after the number, such as its degrees, is ignored.
     """
     number = text.partition(" (")[0]
     if ball := BALL.fullmatch(number):
@@ -220,7 +220,7 @@ def read_number(text: str) -> Mapping[str, float]:
 
 
 def describe_number(text: str) -> dict[str, object]:
-    """Return a text with its number."""
+    """Return a text together with its value and radius, if it has them."""
     return {"text": text, **read_number(text)}
 
 

@@ -1,13 +1,13 @@
-"""Rungs: sums of sines and cosines whose angles rise by the same step, 2*pi/n for n planets.
+"""Rungs: sums of sines and cosines whose angles rise by equal steps, 2*pi/n for n planets.
 
-With d the step, the sum of cos(c + k*d) from p to q is sin(c + (q + 1/2)*d) - sin(c + (p - 1/2)*d)
-divided by 2*sin(d/2), as each term is such a difference; where d/2 is no multiple of pi. A product
-of n sines with the step pi/n is that of n times the first angle, divided by 2**(n - 1).
+With step d not a multiple of 2*pi, the sum of cos(c + k*d) from p to q is
+(sin(c + (q + 1/2)*d) - sin(c + (p - 1/2)*d))/(2*sin(d/2)), as each term is such a difference. A
+product of n sines with step pi/n is the sine of n times the first angle, divided by 2**(n - 1).
 
-Without end: Fourier series of all multiples m of an angle, or the odd ones, divided by powers of m.
-Signs that alternate are those of the angle and pi, or pi/2: (-1)**m*sin(m*u) is sin(m*(u + pi)).
-With powers r**m they are parts of series of r*exp(i*u): the geometric one, which is Poisson's
-kernel, and that of a logarithm (Abramowitz, Stegun, 1964, chapter 27.8).
+Infinite sums: Fourier series of all, or of all odd, multiples m of an angle, divided by powers of
+m. Alternating signs shift the angle by pi, or pi/2: (-1)**m*sin(m*u) is sin(m*(u + pi)). With
+powers r**m they are parts of series in r*exp(i*u): the geometric one, which is Poisson's kernel,
+and that of a logarithm (Abramowitz, Stegun, 1964, chapter 27.8).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _LARGEST = 40
 def decide_by_steps(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> str | None:
     """Return the rungs if left = right is proved with the values of such sums and products.
 
-    The first numbers, for which a step may be a whole turn, are looked at one by one.
+    The first numbers, for which a step may be a whole turn, are checked one by one.
     """
     sides = (domain.resolve(left), domain.resolve(right))
     sums = {total for side in sides for total in side.atoms(sp.Sum, sp.Product)}
@@ -58,7 +58,7 @@ def decide_by_steps(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove)
 
 
 def _list_counts(total: sp.Sum | sp.Product) -> set[sp.Symbol]:
-    """Return the numbers of terms that the angles of these have."""
+    """Return the whole numbers that occur both in the limits and in the waves' angles."""
     ends = {s for limit in total.limits for end in limit[1:] for s in end.free_symbols}
     in_waves = {s for wave in total.function.atoms(sp.sin, sp.cos) for s in wave.free_symbols}
     return {n for n in ends & in_waves if n.is_integer and n.is_positive}
@@ -67,7 +67,7 @@ def _list_counts(total: sp.Sum | sp.Product) -> set[sp.Symbol]:
 def _holds_at(
     point: Mapping[sp.Basic, sp.Expr], sides: Sides, domain: Domain, prove: Prove
 ) -> bool:
-    """Tell whether the sides are equal for one number, even if the domain excludes it."""
+    """Return whether the sides are equal for one number, or the domain excludes it."""
     *parts, fixed = put_in(sides, domain, point)
     return sp.false in fixed.where or bool(prove(*map(write_out, parts), fixed))
 
@@ -91,7 +91,7 @@ def _find_value(total: sp.Sum | sp.Product, n: sp.Symbol, domain: Domain) -> sp.
 def _add_up(
     term: sp.Expr, k: sp.Symbol, ends: tuple[sp.Expr, sp.Expr], n: sp.Symbol, domain: Domain
 ) -> sp.Expr | None:
-    """Return the sum of a term between half numbers, None if it is no sine or cosine."""
+    """Return the sum of a term between half-integers, or None if it is no sine or cosine."""
     low, high = ends
     factor, wave = term.as_independent(k)
     if wave == 1:
@@ -108,7 +108,7 @@ def _add_up(
 
 
 def _multiply(product: sp.Product, n: sp.Symbol) -> sp.Expr | None:
-    """Return a product of n sines or cosines, of n - 1 without the one of no angle."""
+    """Return a product of n sines or cosines, or of the n - 1 without the zero angle; else None."""
     k, first, last = product.limits[0]
     factor, wave = product.function.as_independent(k, as_Add=False)
     if not isinstance(wave, sp.sin | sp.cos):
@@ -126,13 +126,13 @@ def _multiply(product: sp.Product, n: sp.Symbol) -> sp.Expr | None:
 
 
 def _is_within_turn(step: sp.Expr, domain: Domain) -> bool:
-    """Tell whether a step is shown to be between nothing and a whole turn."""
+    """Return whether a step is shown to be nonzero and less than a whole turn either way."""
     part = sp.cancel(step / (2 * sp.pi))
     return any(is_positive(p, domain) and is_positive(1 - p, domain) for p in (part, -part))
 
 
 def _split(angle: sp.Expr, n: sp.Symbol) -> sp.Expr:
-    """Write an angle with whole turns apart: pi - pi/(2*n + 1)."""
+    """Write an angle with its whole turns split off, as in pi - pi/(2*n + 1)."""
     return sp.expand(sp.apart(sp.together(angle), n)) if angle.is_rational_function(n) else angle
 
 
@@ -150,7 +150,7 @@ class _Wave(NamedTuple):
 
 
 class _Value(NamedTuple):
-    """The value of a series for angles between zero and an end, both excluded if it is open."""
+    """The value of a series for angles from zero to `end`, both excluded if `is_open`."""
 
     value: sp.Expr
     end: sp.Expr
@@ -171,7 +171,7 @@ SERIES: Mapping[_Wave, _Value] = {
 
 _R = sp.Dummy("r", real=True)
 _CIRCLE = 1 - 2 * _R * sp.cos(_U) + _R**2
-# Sums of waves of m*u times r**m, r**2 < 1; with the power 1, divided by m, from m = 1 on.
+# Sums of waves of m*u times r**m, r**2 < 1; with the power 1, divided by m; from m = 1 on.
 POWERS: Mapping[_Wave, sp.Expr] = {
     _Wave(sp.cos, False, 0): (_R * sp.cos(_U) - _R**2) / _CIRCLE,
     _Wave(sp.sin, False, 0): _R * sp.sin(_U) / _CIRCLE,
@@ -181,7 +181,7 @@ POWERS: Mapping[_Wave, sp.Expr] = {
 
 
 def settle_waves(expression: Any, domain: Domain) -> Any:
-    """Put the values of known Fourier series in the places of sums without end."""
+    """Replace infinite sums by the values of known Fourier series."""
     return put_values(expression, partial(_find_endless, domain))
 
 
@@ -202,7 +202,7 @@ def _find_endless(domain: Domain, total: sp.Sum) -> sp.Expr | None:
 
 
 def _find_by_powers(term: sp.Expr, domain: Domain) -> Iterator[sp.Expr]:
-    """Yield the value of waves that are multiplied by powers r**m."""
+    """Yield the sum of waves that are multiplied by powers r**m."""
     for rest, wave, angle in _read_rest(term):
         for power in (0, 1):
             factor = rest * (_J + 1) ** power
@@ -213,12 +213,12 @@ def _find_by_powers(term: sp.Expr, domain: Domain) -> Iterator[sp.Expr]:
 
 
 def _list_waves(term: sp.Expr) -> list[sp.Expr]:
-    """List the factors of a term that are waves, and move from term to term."""
+    """List the factors of a term that are waves whose angle changes from term to term."""
     return [f for f in sp.Mul.make_args(term) if isinstance(f, sp.sin | sp.cos) and f.has(_J)]
 
 
 def _read_rest(term: sp.Expr) -> Iterator[tuple[sp.Expr, _Wave, sp.Expr]]:
-    """Yield what a wave is multiplied by, the wave and its angle, if there is one in a term."""
+    """Yield a wave's cofactor, the wave and its angle, if a term has exactly one wave."""
     waves = _list_waves(term)
     if len(waves) != 1:
         return
@@ -230,7 +230,7 @@ def _read_rest(term: sp.Expr) -> Iterator[tuple[sp.Expr, _Wave, sp.Expr]]:
 
 
 def _read(term: sp.Expr) -> Iterator[tuple[sp.Expr, _Wave, sp.Expr]]:
-    """Yield a factor, the wave that it multiplies, divided by a power, and its angle."""
+    """Yield a constant factor, the wave divided by a power of m, and its angle."""
     for rest, wave, angle in _read_rest(term):
         m = 2 * _J + 1 if wave.is_odd else _J + 1
         for power in (1, 2, 3):
@@ -243,7 +243,7 @@ def _read(term: sp.Expr) -> Iterator[tuple[sp.Expr, _Wave, sp.Expr]]:
 
 
 def _turn(factor: sp.Expr, wave: _Wave, angle: sp.Expr) -> tuple[sp.Expr, _Wave, sp.Expr]:
-    """Write terms whose signs alternate, beginning with a plus, by a shifted angle."""
+    """Write terms of alternating sign, the first one positive, by a shifted angle."""
     if not wave.is_odd:
         return -factor, wave, angle + sp.pi
     is_sine = wave.kind is sp.sin

@@ -54,7 +54,7 @@ def find_faults(
 ) -> list[Answer]:
     """Return every fault of the printed side; none if it is well formed.
 
-    `mended`: it is corrected, so that it has to be of the dimension of the other side.
+    `mended`: the side is correct as read, so it must have the dimension of the other side.
     """
     if isinstance(statement, Conjunction):
         parts = statement.parts
@@ -123,7 +123,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
 def _find_mixture(
     printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
 ) -> Answer | None:
-    """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
+    """Find terms of unlike dimension; they are a fault only if a change of units shows it."""
     if has_parts(printed, IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
     other = _other_side(statement)
@@ -141,7 +141,7 @@ def _has_two_prints(statement: Statement) -> bool:
 
 
 def _other_side(statement: Statement) -> sp.Basic:
-    """Return what the printed side is said to be, zero for a relation."""
+    """Return the side that the printed one is compared with, zero for a relation."""
     if isinstance(statement, Definition):
         return statement.symbol
     if isinstance(statement, Distinct):
@@ -150,7 +150,7 @@ def _other_side(statement: Statement) -> sp.Basic:
 
 
 def _dimension(expression: sp.Basic, known: Dimensions) -> Dimension:
-    """Return the dimension of a side, that of a number if the side mixes dimensions."""
+    """Return the dimension of a side, or that of a number if the side mixes dimensions."""
     with suppress(DimensionError):
         return infer(expression, known) or NUMBER
     return NUMBER
@@ -159,7 +159,7 @@ def _dimension(expression: sp.Basic, known: Dimensions) -> Dimension:
 def _changes_of_units(
     printed: sp.Basic, other: sp.Basic, known: Dimensions, domain: Domain
 ) -> Iterator[Evidence]:
-    """Yield the printed values in one unit, and in another turned back, where they differ."""
+    """Yield evidence of printed values that change if computed in another unit, then converted."""
     for unit in UNITS:
         pairs = [(term, rescale(term, known, unit, UNIT_CHANGE)) for term in _terms(printed)]
         power = getattr(_dimension(other, known), unit)
@@ -174,7 +174,7 @@ def _changes_of_units(
 
 
 def _terms(printed: sp.Basic) -> list[sp.Expr]:
-    """List what has a value: an expression, the entries of a matrix, the gaps of relations."""
+    """List the scalars of a print: an expression, a matrix's entries, the gaps of relations."""
     if isinstance(printed, sp.MatrixBase):
         return list(printed.flat())
     if isinstance(printed, Relational | BooleanFunction):

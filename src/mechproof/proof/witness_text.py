@@ -1,4 +1,4 @@
-"""Witness text: a point and the values of two sides as a reader looks for them."""
+"""Witness text: a point and the values of two sides, written for a reader."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LONGEST = 240
 # Most decimals of a fraction that is written as a decimal number.
 _MOST_DECIMALS = 6
 _DIGITS = (6, 9, 12, 16, 24, 48)
-# How SymPy writes a bound variable of ours, `x_`.
+# SymPy's LaTeX-like spelling of a bound variable of ours, `x_`, in texts.
 _BOUND = re.compile(r"(?<!\w)_(\\?\w+?)_(?!\w)")
 
 
@@ -33,7 +33,7 @@ def describe(
     point: Point,
     domain: Domain,
 ) -> Evidence:
-    """Return the evidence of two values at a point: where it is, whose sizes these are."""
+    """Return the evidence of two values at a point, with the source of the point's sizes."""
     left, right = balls.show_apart(*values)
     dimension = _tell_dimension(sides, domain)
     if dimension == "angle":
@@ -44,7 +44,7 @@ def describe(
 
 
 def _tell_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
-    """Return the name of the dimension that both sides share, empty if they have none or two."""
+    """Return the name of the dimension that both sides share, or "" if there is none."""
     if is_angle(sides, domain.dimensions):
         return "angle"
     try:
@@ -60,7 +60,7 @@ def name_bound(text: str) -> str:
 
 
 def show_plainly(*values: balls.Ball) -> tuple[str, ...]:
-    """Round balls to numbers without their radii, with as many digits as tell them apart."""
+    """Round balls to numbers without radii, with the fewest digits that distinguish them."""
     for digits in _DIGITS:
         texts = tuple(_round(value, digits) for value in values)
         if len(set(texts)) == len(texts):
@@ -84,14 +84,14 @@ def _show_size(value: sp.Expr, angle: bool) -> str:
 
 
 def _show_exactly(value: sp.Expr) -> str:
-    """Write a fraction as a decimal number where that is short."""
+    """Write a fraction as a decimal number if that is short."""
     places = range(_MOST_DECIMALS + 1)
     ends = next((p for p in places if (value * 10**p).is_Integer), None) if value.is_Rational else 0
     return str(value) if not ends else f"{sp.Integer(value * 10**ends) / 10**ends:.{ends}f}"
 
 
 def _tell_sources(point: Point, domain: Domain) -> str:
-    """Tell which values of a point the paper has published, and which are chosen here."""
+    """Write which values of a point the paper has published, and which are chosen here."""
     for published in domain.published:
         met = {s: v for s, v in sizes_of(published).items() if s in point}
         if met and all(point[s] == v for s, v in met.items()):
@@ -101,6 +101,6 @@ def _tell_sources(point: Point, domain: Domain) -> str:
 
 
 def clip(text: str) -> str:
-    """Return a text that names an expression, cut where a reader no longer takes it in."""
+    """Return a text that quotes an expression, cut to at most `LONGEST` characters."""
     text = name_bound(text)
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
