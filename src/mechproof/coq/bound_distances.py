@@ -1,8 +1,8 @@
-"""Polynomials by the distances of their letters from bounds, whose coefficients show a sign.
+"""Polynomials in their letters' distances from bounds, whose coefficients show a sign.
 
-Between two bounds these are the coefficients of Bernstein (1912), but for binomial factors. As
-certificates of positivity such sums of products are those of Handelman (1988), who takes any
-degree; here it is that of the polynomial.
+Between two bounds these are the coefficients of Bernstein (1912), except for binomial factors. As
+certificates of positivity such sums of products are those of Handelman (1988), who allows any
+degree; here it is the polynomial's own.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ import sympy as sp
 from mechproof.record.parts import find_free, find_parts
 
 _BELOW, _ABOVE = (sp.Gt, sp.Ge), (sp.Lt, sp.Le)
-# Work limit: terms of a polynomial that is written anew.
+# Work limit: terms of a rewritten polynomial.
 _MOST = 60
 
 
 @dataclass(frozen=True)
 class LetterBounds:
-    """The lower and the upper bound of a letter, where any is known."""
+    """The lower and the upper bound of a letter, each None if not known."""
 
     low: sp.Expr | None = None
     high: sp.Expr | None = None
@@ -33,7 +33,7 @@ NO_BOX: Box = MappingProxyType({})
 
 
 def find_box(relations: Iterable[sp.Basic]) -> Box:
-    """Find the bounds of letters: numbers, or expressions of letters that are bounded before."""
+    """Find the bounds of letters: numbers, or expressions in letters bounded independently."""
     found: dict[sp.Basic, LetterBounds] = {}
     for relation in relations:
         if relation.func not in (*_BELOW, *_ABOVE):
@@ -57,16 +57,16 @@ def _rests_free(small: sp.Basic, large: sp.Basic, found: Box) -> bool:
 
 
 def _list_below(part: sp.Basic, found: Box) -> set[sp.Basic]:
-    """List the letters of a part and those on which their lower bounds rest."""
+    """List the letters of a part and those on which their lower bounds depend."""
     letters = set(find_free(part))
     lows = [found[s].low for s in letters if s in found]
     return letters.union(*(_list_below(low, found) for low in lows if low is not None))
 
 
 def spread_out(expression: sp.Expr, box: Box) -> sp.Expr | None:
-    """Write a polynomial as a sum of products of distances from bounds, none with a minus.
+    """Write a polynomial as a sum of products of distances from bounds, without minus signs.
 
-    Return None where there are minus signs left, or what is no polynomial.
+    Returns None if minus signs remain, or the expression is no polynomial.
     """
     roots = list_roots(expression)
     hidden = {root: sp.Dummy() for root in roots}
@@ -97,7 +97,7 @@ def spread_out(expression: sp.Expr, box: Box) -> sp.Expr | None:
 
 
 def list_roots(expression: sp.Expr) -> list[sp.Pow]:
-    """List the square roots of an expression, if none lies under another."""
+    """List the square roots of an expression, or none if one lies under another."""
     found = {p for p in find_parts(expression, sp.Pow) if p.exp == sp.S.Half}
     is_flat = not any(find_parts(root.base, sp.Pow) & found for root in found)
     return sorted(found, key=sp.default_sort_key) if is_flat else []
@@ -106,7 +106,7 @@ def list_roots(expression: sp.Expr) -> list[sp.Pow]:
 def _spread(
     value: sp.Expr, letter: sp.Basic, bounds: LetterBounds, above: sp.Expr, under: sp.Expr
 ) -> sp.Expr | None:
-    """Write one letter by its distances from its bounds, with all products of equal length."""
+    """Write one letter by its distances from its bounds, with all products of equal degree."""
     low, high = bounds.low, bounds.high
     if high is None:
         return sp.expand(value.subs(letter, low + above))

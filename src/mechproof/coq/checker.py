@@ -1,4 +1,4 @@
-"""Coq itself: runs the files of a folder, and reads what their theorems assume."""
+"""Run Coq on the files of a folder, and read what their theorems assume."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pathlib import Path
 from mechproof.coq.scripts import LIBRARIES, ROUNDINGS, list_required, write_assumptions
 from mechproof.tools.processes import count_processors
 
-# Processor time for a file, in seconds; files that are recorded as accepted took a third at most.
+# Processor time for a file, in seconds; files recorded as accepted took at most a third of it.
 LIMIT = 150.0
 RECORD_LIMIT = 50.0
-# Processor time for the bound of a program, in seconds: if it does not hold everywhere Coq mostly
-# knows soon.
+# Processor time for the bound of a program, in seconds: if the bound fails somewhere, Coq mostly
+# finds out soon.
 BOUND_LIMIT = 60.0
-# Number of files whose assumptions Coq prints at once; beyond, the time grows faster than the
+# Number of files whose assumptions Coq prints at once; beyond it, the time grows faster than the
 # number.
 BATCH = 64
 # Names of the axioms that Coq's real numbers rest on, and modules of the machine integers and
@@ -36,16 +36,16 @@ _ASSUMPTION = re.compile(r"^([A-Za-z_][\w.']*)\s*:|^([A-Za-z_][\w.']*)$", re.MUL
 
 
 class CheckerError(RuntimeError):
-    """Coq is not there, or does not take what all files require."""
+    """Coq is not installed, or refuses a library that the files require."""
 
 
 def is_installed() -> bool:
-    """Say whether Coq is there."""
+    """Return whether Coq is installed."""
     return shutil.which("coqc") is not None
 
 
 def find_version() -> str:
-    """Return the version of Coq. Raises `CheckerError` where it is not installed."""
+    """Return the version of Coq. Raises `CheckerError` if it is not installed."""
     if not is_installed():
         raise CheckerError(
             "coqc is not installed; on Debian: apt-get install coq libcoq-interval "
@@ -63,9 +63,10 @@ def check_files(
     *,
     limit: float = LIMIT,
 ) -> Mapping[str, str]:
-    """Have Coq check files of a folder; return what is wrong with each, empty if it is accepted.
+    """Have Coq check files of a folder; return what is wrong with each, "" if it is accepted.
 
-    Raises `CheckerError` where Coq is not installed or refuses what all of them require.
+    `tell` is called with each name checked. Raises `CheckerError` if Coq is not installed or
+    refuses a library that the files require.
     """
     find_version()
     listed = list(names)
@@ -87,7 +88,7 @@ def check_files(
 
 
 def _check_assumptions(folder: Path, names: Sequence[str]) -> Mapping[str, str]:
-    """Return what accepted files assume beyond the published list, by their names.
+    """Return, by file name, what accepted files assume beyond the published list.
 
     Coq takes hardly longer for many files than for one; if too much is assumed, each half is
     searched.
@@ -103,7 +104,7 @@ def _check_assumptions(folder: Path, names: Sequence[str]) -> Mapping[str, str]:
 
 
 def _find_beyond(folder: Path, names: Sequence[str]) -> str:
-    """Say what accepted files assume beyond the published list."""
+    """Report what accepted files together assume beyond the published list, or return ""."""
     file = folder / "All_assumptions.v"
     modules = [name.removesuffix(".v") for name in names]
     file.write_text(write_assumptions(modules), encoding="utf-8")
@@ -115,7 +116,7 @@ def _find_beyond(folder: Path, names: Sequence[str]) -> str:
 
 
 def _run(folder: Path, name: str, limit: float) -> tuple[str, str]:
-    """Return what is wrong with a file, empty if Coq accepts it, and what Coq printed."""
+    """Return what is wrong with a file, "" if Coq accepts it, and what Coq printed."""
     limited = f'ulimit -t {limit:.0f}; exec coqc -q -w none "$0"'
     done = subprocess.run(
         ["sh", "-c", limited, name], cwd=folder, capture_output=True, text=True, check=False
@@ -126,7 +127,7 @@ def _run(folder: Path, name: str, limit: float) -> tuple[str, str]:
 
 
 def _find_fault(told: str) -> str:
-    """Return the place and the message of the error, in one line."""
+    """Return the line and the message of the error as one line of text."""
     place = re.search(r"line (\d+)", told)
     message = " ".join(told.partition("Error:")[2].split())
     return f"line {place[1] if place else '?'}: {message or told.strip()}"

@@ -1,6 +1,6 @@
-"""Statements of Coq, read back from their text alone, and compared with what the ledger judged.
+"""Statements of Coq, read back from their text alone.
 
-The reader knows the terms and the precedences of Coq's real numbers; nothing of the writer.
+The reader knows the terms and the precedences of Coq's real numbers, and nothing of the writer.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
 
 @dataclass(frozen=True)
 class Joined:
-    """Relations with one sign between them, in their order, and whether in parentheses."""
+    """Relations joined by one sign, in their order, and whether in parentheses."""
 
     sign: str
     parts: tuple[sp.Basic | Joined, ...]
@@ -62,7 +62,7 @@ Read: TypeAlias = sp.Basic | Joined
 
 @dataclass(frozen=True)
 class ReadStatement:
-    """A statement as its text says: quantifier, variables with kinds, hypotheses, conclusions."""
+    """A statement as read: quantifier, variables with kinds, hypotheses, conclusions."""
 
     name: str
     quantifier: str
@@ -72,9 +72,9 @@ class ReadStatement:
 
 
 def read_script(text: str) -> list[ReadStatement]:
-    """Read every theorem and lemma of a file, with what it defines written out.
+    """Read every theorem and lemma of a file, with definitions written out.
 
-    Raises ValueError for what it does not know.
+    Raises ValueError for text that it does not know.
     """
     defined: dict[str, sp.Expr] = {}
     for name, term in _DEFINITION.findall(text):
@@ -113,7 +113,7 @@ def _read_binders(text: str) -> Iterator[tuple[str, str]]:
 
 
 class _Parser:
-    """Recursive descent, a method for each level of precedence."""
+    """A recursive-descent parser with a method for each level of precedence."""
 
     def __init__(self, text: str, letters: Mapping[str, sp.Expr]) -> None:
         self.letters = letters
@@ -128,11 +128,11 @@ class _Parser:
 
     @property
     def next(self) -> str:
-        """Return the token that comes, or the empty string."""
+        """Return the next token, or the empty string at the end."""
         return self.tokens[self.at] if self.at < len(self.tokens) else ""
 
     def take(self, *expected: str) -> str:
-        """Step over a token, one of those expected if any are named."""
+        """Consume a token, which must be one of those expected if any are named."""
         token = self.next
         if not token or (expected and token not in expected):
             raise ValueError(f"Coq text: {token!r} where {expected or 'a term'} was expected")
@@ -140,12 +140,12 @@ class _Parser:
         return token
 
     def end(self) -> None:
-        """Refuse what is left."""
+        """Raise ValueError unless all tokens are consumed."""
         if self.next:
             raise ValueError(f"Coq text: {self.next!r} after the end")
 
     def implications(self) -> list[Read]:
-        """Read relations joined by arrows, the last of them after the terms named for it."""
+        """Read relations joined by arrows, the last one preceded by its named terms."""
         found = [self.relations()]
         while self.next == "->":
             self.take()
@@ -163,7 +163,7 @@ class _Parser:
             self.take("in")
 
     def relations(self) -> Read:
-        """Read relations joined by one sign for and, or by one for or."""
+        """Read relations joined by one kind of sign, either all "and" or all "or"."""
         found = [self.relation()]
         sign = self.next if self.next in ("/\\", "\\/") else ""
         while sign and self.next == sign:
@@ -188,7 +188,7 @@ class _Parser:
         return relate(left, self.sum(), evaluate=False)
 
     def derivative(self) -> sp.Basic:
-        """Read the statement that a function has a derivative, at its own letter, and which."""
+        """Read the statement of the derivative that a function has at its own letter."""
         self.take("is_derive")
         letter, body = self.function("R")
         place, slope = self.atom(), self.atom()
@@ -216,7 +216,7 @@ class _Parser:
         return total
 
     def signed(self) -> sp.Expr:
-        """Read a power after a minus, or after the sign of an inverse."""
+        """Read a power, possibly after a minus or a sign of inversion."""
         if self.next == "-":
             self.take()
             return sp.Mul(-1, self.signed(), evaluate=False)
@@ -246,13 +246,13 @@ class _Parser:
         return _FUNCTIONS[name](*arguments, evaluate=False)
 
     def integral(self) -> sp.Expr:
-        """Read an integral: a function of a letter of its own, and both limits."""
+        """Read an integral: a function of its own letter, and both limits."""
         self.take("RInt")
         letter, body = self.function("R")
         return sp.Integral(body, (letter, self.atom(), self.atom()))
 
     def function(self, kind: str) -> tuple[sp.Symbol, sp.Expr]:
-        """Read a function of a letter of its own, which is a number (R) or a whole one (nat)."""
+        """Read a function of its own letter, a real number (R) or a whole one (nat)."""
         self.take("(")
         self.take("fun")
         name = self.take()
@@ -269,7 +269,7 @@ class _Parser:
         return letter, body
 
     def indexed(self) -> sp.Expr:
-        """Read a sum, the sign of equal indices, a whole number, or a number of a family."""
+        """Read a sum, a Kronecker delta, a whole number, or a number of a family."""
         name = self.take()
         if name == "sum_to":
             return self.total()
@@ -288,7 +288,7 @@ class _Parser:
         return self.wholes[token]
 
     def total(self) -> sp.Expr:
-        """Read a sum from 1 on: its end, and a function of an index of its own."""
+        """Read a sum that starts from 1: its end, and a function of its own index."""
         end = self.whole()
         index, body = self.function("nat")
         return sp.Sum(body, (index, 1, end))

@@ -1,8 +1,8 @@
 """Proofs by derivatives, and of derivatives.
 
-Two sides are equal that are so at one place and have the same derivative. Integrals with one moving
-limit are differentiated by the fundamental theorem of calculus. Of a derivative Coq compares what
-it finds with what is stated.
+Two sides are equal if they are equal at one place and have the same derivative. Integrals with one
+moving limit are differentiated by the fundamental theorem of calculus. For a stated derivative, Coq
+compares its own result with the statement.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _TURNS = (sp.sin, sp.cos, sp.tan)
 
 @dataclass(frozen=True)
 class _Known:
-    """An integral with its names: of the function of its upper limit, and of its letter."""
+    """An integral with the name of the function of its upper limit, and with names of letters."""
 
     integral: sp.Integral
     name: str
@@ -43,12 +43,12 @@ class _Known:
 
     @property
     def letter(self) -> sp.Symbol:
-        """Return the letter over which is integrated."""
+        """Return the variable of integration."""
         return self.integral.limits[0][0]
 
     @property
     def limit(self) -> sp.Expr:
-        """Return the limit that moves."""
+        """Return the moving limit."""
         return self.integral.limits[0][2]
 
     def at(self, value: sp.Expr) -> sp.Expr:
@@ -57,7 +57,7 @@ class _Known:
 
 
 def prove_by_derivative(theorem: Theorem, names: Names) -> list[str]:
-    """Write the tactics for an equality. Raises `UnwritableError` where no variable serves."""
+    """Write the tactics for an equality. Raises `UnwritableError` if no variable will do."""
     if not isinstance(theorem.conclusion, sp.Eq):
         raise UnwritableError("of an integral only equalities are proved")
     variable = find_variable(theorem)
@@ -67,9 +67,9 @@ def prove_by_derivative(theorem: Theorem, names: Names) -> list[str]:
 
 
 def find_variable(theorem: Theorem) -> sp.Symbol | None:
-    """Return the symbol that moves: an unbounded one, or one that lies on both sides of zero.
+    """Return the symbol to differentiate by, one whose bounds allow zero, or None.
 
-    An angle goes before others: where it is zero, so are its sine and its tangent.
+    Symbols in sines and tangents come first: at an angle of zero these are zero, too.
     """
     parts = find_parts(theorem.conclusion, sp.Integral) or find_parts(theorem.conclusion, *_ANGLES)
     moved = {s for part in parts for s in find_free(_take_moving(part))}
@@ -154,7 +154,7 @@ class _Proof:
         yield from self._compare_at_zero()
 
     def _state_joined(self, left: str, right: str) -> Iterator[str]:
-        """State the sides with the roots joined, whose factors may then be in another order."""
+        """State the sides with joined roots, whose factors may then be in another order."""
         if not self.roots.joined:
             known = "by_depth ltac:(zero)"
             other = f"transitivity {left}; [ {known} | transitivity {right}; [ | {known} ] ]"
@@ -239,7 +239,7 @@ class _Proof:
             yield "unfold tan in *."
 
     def _show_factors(self, facts: EstablishedFacts) -> Iterator[str]:
-        """Show that the factors of all denominators differ from zero."""
+        """Show that the factors of all denominators are nonzero."""
         insides = [k.at(k.limit) for k in self.known]
         needed = [n for part in (*self.sides, *insides) for n in list_needs(part)]
         factors: dict[sp.Expr, None] = {}
@@ -254,7 +254,7 @@ class _Proof:
             yield f"try assert (N{number} : 0 < {write_term(positive, self.inner)}) by {proof}."
 
     def _is_outside(self, part: sp.Basic) -> bool:
-        """Return whether a part has no letter of an integral."""
+        """Return whether a part contains no variable of integration."""
         return not find_free(part) & {known.letter for known in self.known}
 
     def _compare_at_zero(self) -> Iterator[str]:
@@ -287,7 +287,7 @@ def _list_still_roots(theorem: Theorem, variable: sp.Symbol) -> sp.Tuple:
 
 
 def _join(side: sp.Basic, joined: Names) -> sp.Basic:
-    """Put letters for the roots that the first tactics write by other roots, or without any."""
+    """Replace the roots joined by the first tactics, written by other roots or none, by letters."""
     letters = {letter.root: letter for letter in joined}
     powers = [p for p in find_roots(side) if p.base in letters]
     return side.xreplace({p: letters[p.base] ** (2 * p.exp) for p in powers})
@@ -317,7 +317,7 @@ def _list_roots(whole: sp.Basic) -> list[sp.Expr]:
 
 
 def _restore_roots(whole: sp.Basic, names: Names) -> Iterator[str]:
-    """Restore roots of which Coq has expanded the powers under them."""
+    """Restore roots whose radicands' powers Coq has expanded."""
     for base in _list_roots(whole):
         text = write_term(base, names)
         yield (
@@ -327,7 +327,7 @@ def _restore_roots(whole: sp.Basic, names: Names) -> Iterator[str]:
 
 
 def _show_roots(whole: sp.Basic, names: Names) -> Iterator[str]:
-    """Show that roots differ from zero where they do."""
+    """Try to show that each root is nonzero."""
     for number, base in enumerate(_list_roots(whole), start=1):
         text = write_term(base, names)
         yield (

@@ -1,4 +1,4 @@
-"""The first tactics of a proof: tangents written out, angles opened, squares and roots known."""
+"""The first tactics of a proof: write out tangents, open angles, note squares and roots."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from mechproof.statement_domains.domain import Point
 
 
 def introduce(theorem: Theorem, names: Names) -> str:
-    """Write the first tactic: letters by their names, and hypotheses by their numbers."""
+    """Write the first tactic, which names the letters and numbers the hypotheses."""
     facts = [f"H{number}" for number in range(1, len(theorem.hypotheses) + 1)]
     letters = (names.get(sp.Tuple(s)) or names[s] for s in theorem.symbols)
     return " ".join(["intros", *letters, *facts]) + "."
 
 
 def turn_right(theorem: Theorem, names: Names) -> Iterator[str]:
-    """Write the angles of vectors that are seen to point to the right as arctangents."""
+    """Write as arctangents the angles of vectors that point to the right at the witness."""
     vectors = find_parts(theorem.conclusion, sp.atan2)
     for number, vector in enumerate(sorted(vectors, key=sp.count_ops), start=1):
         above, along = vector.args
@@ -52,14 +52,14 @@ class RootLetter(sp.Dummy):  # type: ignore[misc]
     """A letter for the root of an expression."""
 
     def __new__(cls, root: sp.Expr) -> RootLetter:
-        """Return a positive letter of its own."""
+        """Return a new positive letter that keeps the expression under the root."""
         letter: RootLetter = super().__new__(cls, "root", positive=True)
         letter.root = root
         return letter
 
 
 class EstablishedFacts:
-    """What the tactics of `lines` establish of the parts of a statement, `whole`."""
+    """The facts on parts of the statement `whole` that the tactics in `lines` establish."""
 
     def __init__(self, whole: sp.Basic, witness: Point, names: Names) -> None:
         self.names = names
@@ -79,7 +79,7 @@ class EstablishedFacts:
         rests: list[sp.Basic] = []
         whole = self._take_turns_off(whole, rests)
         self.rules: list[str] = []
-        # The terms in which roots are written by others.
+        # The terms that write roots by other roots.
         self.joined: dict[RootLetter, str] = {}
         turned = [*find_parts(whole, sp.sin, sp.cos, sp.tan), *rests]
         self.angles = _find_bases({node.args[0] for node in turned})
@@ -88,14 +88,14 @@ class EstablishedFacts:
 
     @property
     def modulo(self) -> str:
-        """Return the equations that hold between sines, cosines and roots, as `ring` takes them."""
+        """Return the equations between sines, cosines and roots as an argument of `ring`."""
         return f" [{' '.join(self.rules)}]" if self.rules else ""
 
     @property
     def closing(self) -> str:
         """Return the tactic for an equality of quotients.
 
-        The terms that `field` compares before it uses the squares are simplified with them.
+        If all else fails, terms are simplified with the squares before `field` compares them.
         """
         by = self.modulo
         conditions = f"conditions ltac:(ring{by})"
@@ -105,9 +105,9 @@ class EstablishedFacts:
     def _take_turns_off(self, whole: sp.Basic, rests: list[sp.Basic]) -> sp.Basic:
         """Write sines and cosines of angles with whole turns by those of the remaining angles.
 
-        These are listed as `rests`.
+        The latter are added to `rests`.
         """
-        # Taken apart into sides, because SymPy would turn a relation with equal sides into true.
+        # Split into sides, because SymPy would evaluate a relation with equal sides to true.
         sides = [relation.args for relation in find_parts(whole, Relational)]
         whole = sp.Tuple(*chain(*sorted(sides, key=sp.default_sort_key))) if sides else whole
         for node in sorted(find_parts(whole, sp.sin, sp.cos), key=sp.default_sort_key):
@@ -168,7 +168,7 @@ class EstablishedFacts:
         self._join_roots(sorted(roots, key=sp.default_sort_key))
 
     def _join_roots(self, roots: Sequence[sp.Expr]) -> None:
-        """Write a root by others: none, one before it, or two that are not written by others."""
+        """Write roots by others: by none, an earlier one, or two that are not written by others."""
         joined: set[sp.Expr] = set()
         for number, root in enumerate(roots):
             self._join_first(root, [(), *((other,) for other in roots[:number])], joined)
@@ -179,7 +179,7 @@ class EstablishedFacts:
     def _join_first(
         self, root: sp.Expr, choices: Iterable[Sequence[sp.Expr]], joined: set[sp.Expr]
     ) -> None:
-        """Write a root by the first of some choices that serves."""
+        """Write a root by the first choice of others for which that works."""
         for others in () if root in joined else choices:
             scale = _find_scale(root, sp.Mul(*others), self.witness)
             if scale is not None:
@@ -205,14 +205,14 @@ class EstablishedFacts:
 
 
 def is_square(base: sp.Expr, witness: Point) -> bool:
-    """Return whether an expression can be seen to be the square of a quotient."""
+    """Return whether an expression's factors show that it is the square of a quotient."""
     return _find_scale(base, sp.Integer(1), witness) is not None
 
 
 def _find_scale(root: sp.Expr, other: sp.Expr, witness: Point) -> sp.Expr | None:
-    """Return the m for which `root` is m^2 times `other`, if the factors show one.
+    """Return the m for which `root` is m^2 times `other`, if the factors show one, else None.
 
-    Each factor of it is positive at the witness.
+    Each factor of m is positive at the witness.
     """
     if reduce_squares(root - other) == 0:
         return sp.Integer(1)

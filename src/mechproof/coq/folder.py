@@ -1,7 +1,7 @@
-"""Papers with their verdicts -> the files of a folder that `make` has Coq check, and what is left.
+"""Papers with their verdicts -> a folder of files that `make` has Coq check, and the rest.
 
-A row has a file, or a reason why it has none. What Coq accepts is a record of digests, and a page
-for a reader.
+A row has a file, or a reason why it has none. Coq's results are kept as a record of digests, and as
+a page for a reader.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from mechproof.statement_domains.domain import Domain
 from mechproof.tools.made import ForeignFileError, Made
 
 LIST = "mechproof-coq.sha256"
-# Verdicts that say that something is proved: of all values, at a point, or each on a part.
+# Verdicts that say that something is proved: for all values, at a point, or each on a part.
 CERTIFIABLE = (Verdict.PROVED, Verdict.REFUTED, Verdict.CONDITIONAL)
 ASSUMPTIONS = "Assumptions.v"
 _MAKEFILE = """# Has Coq check every file, and print what all of them assume: make -j2
@@ -61,7 +61,7 @@ clean:
 PAGE = "COQ.md"
 RECORD = "coq.json"
 NOT_CHECKED = "not checked in this run"
-# Prefix of reasons that come from Coq itself, and what readers are told of such a file.
+# Prefix of reasons that come from Coq itself, and what readers are told about such a file.
 BY_COQ, REFUSED = "Coq: ", "Coq refuses the proof that was written for it"
 _INTRODUCTION = """# What Coq checks
 
@@ -94,8 +94,8 @@ This page is generated.
 class RowScript:
     """The file of a row with its text, or the reason why there is none.
 
-    `is_alike` says that every theorem of the file is an equality with the same term on both sides:
-    what is left of both once they are read and worked out.
+    `is_alike` says that in every theorem of the file both sides are the same term, once they are
+    read and evaluated.
     """
 
     id: str
@@ -109,7 +109,7 @@ class RowScript:
 
     @property
     def digest(self) -> str:
-        """Return the SHA-256 of the text and what it requires; empty where there is none."""
+        """Return the SHA-256 of the text and of all it requires, or "" if there is no text."""
         return digest_required(self.text) if self.text else ""
 
 
@@ -128,7 +128,7 @@ def write_row_script(judgement: Judgement, row: Row, ledger: JudgedPaper) -> Row
 
 
 def _list_theorems(row: Row, verdict: Verdict, paper: Paper) -> list[Theorem]:
-    """List a row's theorems; of one that is true on a part, that, and a point at which it fails."""
+    """List a row's theorems; a CONDITIONAL row has those on its part and one at a point outside."""
     whole = Domain.of(paper, row.on)
     if verdict is not Verdict.CONDITIONAL:
         return build_theorems(row, verdict, whole)
@@ -142,18 +142,18 @@ def _is_alike(theorem: Theorem) -> bool:
 
 
 def withhold(judgement: Judgement, reason: str) -> RowScript:
-    """Say why there is no script of a row."""
+    """Return a record of a row without a script, with the reason."""
     about = (judgement.id, judgement.verdict.value, judgement.rung, classify(judgement))
     return RowScript(*about, reason=reason)
 
 
 def list_texts(scripts: Iterable[RowScript]) -> dict[str, str]:
-    """Return the texts that there are by the names of their files."""
+    """Return the texts of scripts that have one, by file name."""
     return {script.file: script.text for script in scripts if script.text}
 
 
 def list_files(scripts: Mapping[str, str]) -> dict[str, str]:
-    """Return the text of every file of a folder of scripts by its name."""
+    """Return the text of every file of a folder of scripts, by file name."""
     assumptions = write_assumptions([name.removesuffix(".v") for name in scripts])
     required = {name for text in scripts.values() for name in list_required(text)}
     libraries = [name for name in (*LIBRARIES, ROUNDINGS) if name in required]
@@ -169,7 +169,7 @@ def list_files(scripts: Mapping[str, str]) -> dict[str, str]:
 def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
     """Write scripts and what they require into a folder that is new, empty or was written so.
 
-    Raises `ForeignFileError` for any other, and `OSError`.
+    Raises `ForeignFileError` for any other folder, and `OSError`.
     """
     if folder.is_dir() and not (folder / LIST).exists() and any(folder.iterdir()):
         raise ForeignFileError(f"{folder}: holds files that are no scripts of `mechproof certify`")
@@ -178,9 +178,9 @@ def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
 
 @dataclass(frozen=True)
 class Coverage:
-    """Certificates, and what Coq says of their files: nothing where it accepts them.
+    """Certificates, and Coq's fault with each of their files, "" for those that it accepts.
 
-    Files that are in neither list were not looked at.
+    Files without an entry in `faults` were not checked.
     """
 
     version: str
@@ -188,11 +188,11 @@ class Coverage:
     faults: Mapping[str, str]
 
     def explain(self, certificate: RowScript) -> str:
-        """Return why a row is withheld; nothing if Coq accepts its file."""
+        """Return why a row is withheld, or "" if Coq accepts its file."""
         return certificate.reason or self.faults.get(certificate.file, NOT_CHECKED)
 
     def find_lost(self, known: Mapping[str, str]) -> list[str]:
-        """List the rows that a record has as accepted, and that are refused or other ones now.
+        """List the rows that a record has as accepted, but that are now refused or different.
 
         `known` are the digests of the record by the ids of their rows.
         """
@@ -206,7 +206,7 @@ class Coverage:
         return lost
 
     def count(self) -> str:
-        """Say how many rows are certified."""
+        """Report how many rows are certified."""
         told = [self.explain(c) for c in self.certificates]
         left = told.count(NOT_CHECKED)
         rest = f", {left} are {NOT_CHECKED}" if left else ""
@@ -228,10 +228,10 @@ def check_folder(
     one_in: int = 1,
     limit: float = LIMIT,
 ) -> Coverage:
-    """Have Coq check every file of a folder, or one in so many; remove what it refuses.
+    """Have Coq check every file of a folder, or every `one_in`-th; remove those that it refuses.
 
-    Files whose digests are `known` by the ids of their rows were accepted before as they are.
-    The folder gets the page, too. Raises `CheckerError`.
+    Files whose digests are in `known`, under the ids of their rows, were accepted before and are
+    not checked again. The page is written into the folder, too. Raises `CheckerError`.
     """
     written = [c for c in certificates if c.text]
     taken = {c.file: "" for c in written if known.get(c.id) == c.digest}
@@ -245,29 +245,29 @@ def check_folder(
 
 
 def keep_record(folder: Path, coverage: Coverage) -> None:
-    """Write the record and the page beside what is generated."""
+    """Write the record and the page next to the generated files."""
     (folder / RECORD).write_text(write_record(coverage), encoding="utf-8")
     (folder / PAGE).write_text(write_page(coverage), encoding="utf-8")
 
 
 def read_known(folder: Traversable) -> dict[str, str]:
-    """Return the digests of the files that a record has as accepted, by the ids of their rows."""
+    """Return the digests of the files that a record has as accepted, by row id."""
     return {row["id"]: row["sha256"] for row in _read_rows(folder) if not row["withheld"]}
 
 
 def read_refused(folder: Traversable) -> dict[str, str]:
-    """Return the digests of the files that Coq refuses by a record, by the ids of their rows."""
+    """Return the digests of the files that a record has as refused by Coq, by row id."""
     rows = _read_rows(folder)
     return {row["id"]: row["sha256"] for row in rows if row["withheld"].startswith(BY_COQ)}
 
 
 def read_checks(folder: Traversable) -> dict[str, str]:
-    """Say of the rows of a record which file Coq accepts, or why there is none, by their ids."""
+    """Return, by row id, which file of a record Coq accepts, or why there is none."""
     return {row["id"]: _tell(row["withheld"], row["file"]) for row in _read_rows(folder)}
 
 
 def _tell(withheld: str, file: str) -> str:
-    """Say whether a row is checked; where Coq stopped is of use only beside the file."""
+    """Return whether a row is checked; where Coq stopped is omitted, as it needs the file."""
     if not withheld:
         return f"checked: {file}"
     return f"not checked: {REFUSED if withheld.startswith(BY_COQ) else withheld}"

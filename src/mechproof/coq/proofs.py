@@ -1,11 +1,11 @@
-"""Proofs of theorems: sequences of tactics, by the form of what is to be shown.
+"""Proofs of theorems: sequences of tactics, chosen by the form of the conclusion.
 
 Equalities are decided by `field` modulo the squares of sines and of roots; inequalities of
-quotients by the signs of the factors of their difference, which SymPy finds and Coq checks. Of an
-inequality of one symbol that is an equality at its lower bound the difference of the sides rises
-from there, which the enclosure of its derivative shows.
+quotients by the signs of the factors of their difference, which SymPy finds and Coq checks. For an
+inequality in one symbol that is an equality at its lower bound, the difference of the sides rises
+from there, which an enclosure of its derivative shows.
 
-Roots of quotients are written as quotients with roots of what has no denominator.
+Roots of quotients are written as quotients with roots of expressions without denominators.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def prove_at_point(relations: Sequence[sp.Basic]) -> str:
 
 
 def prove(theorem: Theorem, names: Names) -> list[str]:
-    """Write the tactics that prove a theorem of all values, a line each."""
+    """Write the tactics that prove a theorem, one a line."""
     if not theorem.symbols:
         return [prove_at_point((theorem.conclusion, *theorem.hypotheses))]
     if is_the_same(theorem.conclusion, names):
@@ -57,7 +57,7 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
     theorem, cleared = clear_roots(theorem, names)
     whole = sp.And(theorem.conclusion, *theorem.hypotheses, evaluate=False)
     facts = EstablishedFacts(whole, theorem.witness, names)
-    # Vectors on both sides may be equal as they are, so that they are rewritten only beside
+    # Vectors on both sides may already be equal, so that they are rewritten only next to
     # arctangents.
     has_arctangents = bool(find_parts(theorem.conclusion, sp.atan))
     vectors = list(turn_right(theorem, names)) if has_arctangents else []
@@ -75,7 +75,7 @@ def prove(theorem: Theorem, names: Names) -> list[str]:
 
 
 def is_the_same(conclusion: sp.Basic, names: Names) -> bool:
-    """Return whether both sides of an equality are written alike."""
+    """Return whether both sides of an equality have the same text."""
     if not isinstance(conclusion, sp.Eq) or states_slope(conclusion):
         return False
     left, right = (write_term(side, names) for side in conclusion.args)
@@ -83,7 +83,7 @@ def is_the_same(conclusion: sp.Basic, names: Names) -> bool:
 
 
 def _has_other_angles(theorem: Theorem) -> bool:
-    """Return whether a side has arctangents that the other side has not in this size."""
+    """Return whether a side has an arctangent whose value differs from all on the other side."""
     if not isinstance(theorem.conclusion, sp.Eq) or find_variable(theorem) is None:
         return False
     left, right = (list(_list_angles(side)) for side in theorem.conclusion.args)
@@ -114,7 +114,7 @@ def _compare(facts: EstablishedFacts) -> str:
 
 
 def _scale_vectors(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
-    """Write the angle of a vector as that of a multiple of it on the other side."""
+    """Write the angle of a vector as the angle of its multiple on the other side."""
     left, right = (find_parts(side, sp.atan2) for side in theorem.conclusion.args)
     pairs = product(*(sorted(vectors, key=sp.default_sort_key) for vectors in (left, right)))
     for number, (vector, other) in enumerate(pairs, start=1):
@@ -132,7 +132,7 @@ def _scale_vectors(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
 
 
 def _find_scale(vector: sp.atan2, other: sp.atan2, witness: Point) -> sp.Expr | None:
-    """Return the positive quotient of two vectors; None where their angles differ."""
+    """Return the positive quotient of two vectors, or None if their angles differ."""
     ratios = [sp.factor(one / two) for one, two in zip(vector.args, other.args, strict=True)]
     is_one = sp.simplify(ratios[0] - ratios[1]) == 0
     is_positive = balls.truth(sp.Gt(ratios[0], 0, evaluate=False), witness, BITS)
@@ -146,7 +146,7 @@ def _list_doubled(relation: sp.Basic) -> list[sp.Expr]:
 
 
 def _split_denominators(theorem: Theorem, facts: EstablishedFacts) -> Iterator[str]:
-    """Show that the factors of each denominator with several factors differ from zero, too."""
+    """Show that each denominator's factors, if there are several, are nonzero, too."""
     by = facts.modulo
     number = 0
     for place, fact in enumerate(theorem.hypotheses, start=1):
@@ -170,7 +170,7 @@ _RISING = sp.Symbol("Z0", real=True)
 
 
 def is_rising(theorem: Theorem) -> bool:
-    """Return whether an inequality of one symbol is an equality where it is 0, its least value."""
+    """Return whether an inequality in one symbol is an equality where it is 0, its least value."""
     if not isinstance(theorem.conclusion, sp.Le | sp.Ge) or len(theorem.symbols) != 1:
         return False
     symbol = theorem.symbols[0]
@@ -206,7 +206,7 @@ def prove_by_rise(theorem: Theorem, names: Names) -> list[str]:
 
 
 def open_arctangents(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]]:
-    """Return a theorem without sines and cosines of twice an arctangent, and the tactics for it."""
+    """Return a theorem without sines and cosines of twice an arctangent, and tactics for that."""
     whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
     written: dict[sp.Basic, sp.Basic] = {}
     lines: list[str] = []
@@ -228,7 +228,7 @@ def open_arctangents(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]
 
 
 def _find_double(angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return a and t of an angle a + 2 arctan t; None for any other angle."""
+    """Return a and t of an angle a + 2 arctan t, or None for any other angle."""
     turned = [term for term in sp.Add.make_args(angle) if find_parts(term, sp.atan)]
     if len(turned) != 1:
         return None
@@ -239,7 +239,7 @@ def _find_double(angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def clear_roots(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]]:
-    """Return a theorem whose roots have no denominators, and the tactics that write it so."""
+    """Return a theorem whose roots have no denominators, and the tactics that rewrite it so."""
     whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
     powers = find_roots(whole)
     written: dict[sp.Basic, sp.Basic] = {}
@@ -269,7 +269,7 @@ def clear_roots(theorem: Theorem, names: Names) -> tuple[Theorem, list[str]]:
 
 
 def _split_root(base: sp.Expr, theorem: Theorem) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return a and b with base = a / b^2 where b is positive; None without a denominator."""
+    """Return a and b with base = a / b^2, b positive, or None without a denominator."""
     factors = find_factors(base)
     if factors is None or not factors.below:
         return None

@@ -1,15 +1,15 @@
-"""Rounding scripts: in, a straight-line program and a bound; out, a script with the proof by Coq.
+"""A straight-line program and a bound on its rounding error -> a script with the proof by Coq.
 
 Coq runs an analysis in intervals and halves the box until the bound holds everywhere. The analysis
-is a program of Coq that `Roundings.v` proves correct once and for all: errors are linear forms of
-the roundings as in FPTaylor (Solovyev et al. 2018), with differences in place of derivatives, so
-that no term of second order is left over. VCFloat (Appel and Kellison 2024) proves bounds in Coq,
-too, with a tactic for each operation.
+is a Coq program that `Roundings.v` proves correct once and for all: errors are linear forms of the
+roundings as in FPTaylor (Solovyev et al. 2018), with differences in place of derivatives, so that
+no second-order term remains. VCFloat (Appel and Kellison 2024) proves bounds in Coq, too, with a
+tactic for each operation.
 
-Of elementary functions of compiled kernels, of what is left of an angle by quarter turns or of a
-small quotient, two theorems: how far roundings move the program, and, without roundings, how far it
-is from the function. De Dinechin, Lauter and Melquiond (2011) divide the proof of a function of
-CRlibm so, the first part by Gappa.
+For the elementary functions of compiled kernels, on an angle's remainder modulo quarter turns or on
+a small quotient, there are two theorems: how far roundings move the program, and how far the
+program without roundings is from the function. De Dinechin, Lauter and Melquiond (2011) divide the
+proof of a function of CRlibm in this way, proving the first part by Gappa.
 """
 
 from __future__ import annotations
@@ -80,9 +80,9 @@ _OFF = _EPS / 4
 
 @dataclass(frozen=True)
 class BoundTheorem:
-    """That a program is off by no more than a bound, for all inputs in their ranges.
+    """The claim that a program is off by at most a bound, for all inputs in their ranges.
 
-    With `relative` the bound is a share of the size of the exact value.
+    With `relative`, the bound is a fraction of the exact value's modulus.
     """
 
     straight: StraightLineProgram
@@ -93,7 +93,7 @@ class BoundTheorem:
 
 @dataclass(frozen=True)
 class FunctionEnclosure:
-    """That a program without roundings is within so much of a function of its input, from 0 on."""
+    """The claim that, without roundings, a program is within `off` of a function from 0 on."""
 
     function: sp.Expr
     off: Fraction
@@ -102,10 +102,10 @@ class FunctionEnclosure:
 def write_bound_script(
     title: str, theorem: BoundTheorem, enclosure: FunctionEnclosure | None = None
 ) -> str:
-    """Write the script of one program. Raises `UnwritableError` for what Coq does not analyse."""
+    """Write the script of one program. Raises `UnwritableError` if Coq cannot analyse it."""
     writer = _Writer(theorem)
     enclosed = writer.write_enclosed(enclosure) if enclosure else ()
-    # The tactics of coq-interval, which take a third of the time to load, prove enclosures alone.
+    # Only enclosures need the tactics of coq-interval, which take a third of the time to load.
     tactics = "From Interval Require Import Tactic.\n" if enclosure else ""
     parts = "bound, enclosed" if enclosure else "bound"
     return "\n".join(
@@ -120,7 +120,7 @@ def write_bound_script(
 
 
 class _Writer:
-    """The parts of a script; constants are steps of their own, each once."""
+    """The parts of a script; each distinct constant becomes one step."""
 
     def __init__(self, theorem: BoundTheorem) -> None:
         self._theorem = theorem
@@ -197,7 +197,7 @@ class _Writer:
         yield "  - vm_compute. reflexivity."
 
     def _list_analysed(self) -> Iterator[str]:
-        """Yield the steps as the analysis has them, operands counted from the last result."""
+        """Yield the steps in the analysis's syntax, operands counted back from the last result."""
         known = [*reversed(self._theorem.straight.inputs)]
         for step in self._steps:
             if step.kind == CONSTANT:
@@ -219,7 +219,7 @@ def name_letter(name: str) -> str:
 
 
 def _state_constants(steps: Sequence[Step]) -> Iterator[Step]:
-    """Yield the steps, and before them one for each number that they have as an operand."""
+    """Yield the steps, each number among their operands preceded by a step of its own."""
     named: dict[Operand, str] = {}
     for step in steps:
         if step.kind == CONSTANT:
@@ -244,7 +244,7 @@ def _check(step: Step) -> None:
 
 
 def _list_values(step: Step) -> tuple[Fraction, Fraction]:
-    """Return the double of a constant, and its number."""
+    """Return the double nearest to a constant, and its exact number."""
     number = Fraction(str(step.operands[0]))
     return Fraction(float(IN_DOUBLES[CONSTANT](step.operands[0]))), number
 
@@ -258,7 +258,7 @@ def _write_step(step: Step, names: Mapping[str, str], is_computed: bool) -> str:
 
 
 def _write_whole(number: Fraction) -> str:
-    """Write a fraction as the analysis has it, whole numbers too."""
+    """Write a fraction in the analysis's syntax, whole numbers too."""
     return f"{number.numerator} / {number.denominator}"
 
 
@@ -281,7 +281,7 @@ class ElementaryCase:
     enclosure: FunctionEnclosure | None
 
     def state(self, bound: Fraction) -> BoundTheorem:
-        """State that roundings move it by so many eps of its value at most."""
+        """State that roundings move the value by at most `bound` eps of its modulus."""
         (name,) = self.straight.inputs
         ranges = {name: (_LEAST, self.high)}
         return BoundTheorem(self.straight, ranges, bound * _EPS, relative=True)

@@ -1,9 +1,9 @@
-"""Scripts read back, compared with the theorems that they were written from.
+"""Compare scripts, read back from their text, with the theorems that they were written from.
 
-Structure is compared part by part: quantifier, number of variables, number and relation of every
-hypothesis and conclusion. Sides are compared in balls at points of the domain. The text of a bound
-is run, not the program: `rounded` is the nearest double of a ball. At points of the box that must
-be what the program computes in doubles, and, without roundings, what it is in balls.
+Structure is compared part by part: quantifier, number of variables, number and relation of all
+hypotheses and conclusions. Sides are compared in balls at points of the domain. For a bound, the
+script's text is evaluated, not the program: `rounded` is the nearest double of a ball. At points of
+the box the result must be what the program computes in doubles, and, without roundings, in balls.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class _Wanted:
 
 
 def _expect(theorems: Sequence[Theorem]) -> Iterator[tuple[str, _Wanted]]:
-    """Yield the name of each statement and what it should say."""
+    """Yield each statement's name and its expected content."""
     for number, theorem in enumerate(theorems, start=1):
         hypotheses, name = theorem.hypotheses, f"part_{number}"
         if not theorem.of_all:
@@ -129,7 +129,7 @@ def _compare_relations(
 def _pair_sides(
     name: str, one: sp.Basic, other: sp.Basic, back: Point
 ) -> Iterator[tuple[sp.Basic, sp.Basic]]:
-    """Pair the sides of two relations; of derivatives by one letter, what is differentiated."""
+    """Pair the sides of two relations; from derivatives by one letter, pair their functions."""
     for side, meant in zip(one.args, other.args, strict=True):
         derivatives = [isinstance(part, sp.Derivative) for part in (side, meant)]
         if not any(derivatives):
@@ -143,7 +143,7 @@ def _pair_sides(
 def compare_bound_script(
     text: str, theorem: BoundTheorem, enclosure: FunctionEnclosure | None = None
 ) -> None:
-    """Raise `ReadBackError` unless a script states the theorem, and what is enclosed."""
+    """Raise `ReadBackError` unless a script states the theorem and the given enclosure."""
     try:
         statement, *others = read_script(text)
         _require(len(others) == bool(enclosure), "how many theorems")
@@ -165,7 +165,7 @@ _Terms = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
 def _list_compared(statement: ReadStatement, ranges: Mapping[str, Range]) -> _Terms:
-    """Return which terms are stated to be near which, and the bound, for inputs in their ranges."""
+    """Return two terms and the stated bound on their distance, for inputs in the given ranges."""
     letters = {name_letter(name): ends for name, ends in ranges.items()}
     said = (statement.quantifier, statement.variables, len(statement.conclusions))
     _require(said == ("forall", tuple((letter, "R") for letter in letters), 1), "binders")
@@ -188,7 +188,7 @@ def _require(holds: bool, part: str) -> None:
 
 
 def _list_ends(hypotheses: tuple[Read, ...]) -> dict[str, tuple[Fraction, Fraction]]:
-    """Return the ranges that hypotheses state, low and high end of one letter after another."""
+    """Return the ranges stated by hypotheses, which come in pairs: a letter's low and high end."""
     ends = {}
     for low, high in zip(hypotheses[::2], hypotheses[1::2], strict=True):
         if not (isinstance(low, sp.Le) and isinstance(high, sp.Le) and low.rhs == high.lhs):
@@ -237,7 +237,7 @@ def _run(theorem: BoundTheorem, point: ExactPoint) -> Ball:
 
 
 class _Evaluation:
-    """The values of the terms of a statement at a point, each found once."""
+    """The values of the terms of a statement at a point, each computed once."""
 
     def __init__(self, given: ExactPoint) -> None:
         self._known: dict[sp.Basic, Ball] = {
@@ -281,5 +281,5 @@ def _call(kind: str, value: np.float64) -> np.float64:
     return np.float64(_round(IN_BALLS[kind](arb(float(value)))))
 
 
-# Functions as statements have them, rounded to nearest, which those of NumPy are not.
+# Functions as in the statements, rounded to nearest, which NumPy's are not.
 _NEAREST = IN_DOUBLES.but(**{kind: partial(_call, kind) for kind in CALLED})

@@ -1,9 +1,9 @@
-"""Theorems -> scripts of Coq: the statement in the paper's letters, and its proof by the rung.
+"""Theorems -> Coq scripts: statements in the paper's letters, with their proofs.
 
 A script requires libraries of lemmas and tactics, each of which requires those before it. Numbers
-that are parts of several statements are written once: every definition comes with a fact, an
-enclosure between decimal fractions, that Coq derives from those of the definitions before it;
-statements over the definitions are then small ones.
+that occur in several statements are written once: every definition comes with a fact, an enclosure
+between decimal fractions, that Coq derives from those of the definitions before it; statements in
+terms of the definitions are then small.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ ROUNDINGS = "Roundings"
 _NAMED = re.compile(r"^(?:Definition|Fixpoint|Lemma|Ltac) (\w+)", re.MULTILINE)
 # Names that a library takes from elsewhere and that scripts use.
 _EXPORTED = {"Calculus": ("RInt", "is_derive")}
-# Terms shorter than this, in characters, are written where they stand.
+# Terms shorter than this, in characters, are written out wherever they occur.
 _SHORTEST = 30
-# Decimal places of enclosures, which have fewer where those of their parts are wider.
+# Decimal places of enclosures, which have fewer if those of their parts are wider.
 _PLACES = 30
 _BITS = 128
 # Proves relations of two numbers by the enclosed sign of their difference.
@@ -64,7 +64,7 @@ _SETTLE = f"""Ltac settle :=
     | apply Rgt_not_eq, Rminus_gt; lies
     | at_point ].
 """
-# Statements of numbers share parts in scripts longer than this, in characters.
+# Scripts of numbers that are longer than this, in characters, share parts.
 PLAIN = 32_000
 # Work limits, in characters: Coq reads long statements for minutes, but many definitions in
 # seconds.
@@ -78,14 +78,14 @@ def read_library(name: str) -> str:
 
 
 def find_library(text: str) -> str:
-    """Return the last library of which a text uses a name; all before it come with it."""
+    """Return the last library of which a text uses a name; it requires all before it."""
     words = set(re.findall(r"\w+", text))
     used = [name for name in LIBRARIES if words & _list_names(name)]
     return used[-1] if used else LIBRARIES[0]
 
 
 def list_required(text: str) -> tuple[str, ...]:
-    """Return the libraries that a script requires, by what it says itself."""
+    """Return the libraries that a script requires, read from its own text."""
     found = re.search(r"^Require Import (\w+)\.", text, re.MULTILINE)
     if found and found[1] == ROUNDINGS:
         return (ROUNDINGS,)
@@ -99,7 +99,7 @@ def digest_required(text: str) -> str:
 
 
 def digest_libraries() -> str:
-    """Return the SHA-256 of all libraries of rows."""
+    """Return the SHA-256 of the libraries that scripts of rows require."""
     return sha256("".join(map(read_library, LIBRARIES)).encode()).hexdigest()
 
 
@@ -109,7 +109,7 @@ def _list_names(library: str) -> frozenset[str]:
 
 
 def share_parts(relations: Sequence[sp.Basic]) -> Names:
-    """Name both sides and numbers that occur more than once, in the order of their construction.
+    """Name both sides and numbers that occur more than once, in order of construction.
 
     The sides have no free symbols.
     """
@@ -132,7 +132,7 @@ class _Parts:
         self.order: list[sp.Expr] = []
 
     def visit(self, node: sp.Basic) -> None:
-        """Count a part, and what it is made of when it is met first."""
+        """Count a part, and on its first occurrence the parts that it is made of."""
         is_inverse = isinstance(node, sp.Pow) and node.exp.is_negative
         if not is_inverse:
             self.counts[node] += 1
@@ -145,7 +145,7 @@ class _Parts:
 
 
 def write_definitions(names: Names) -> Iterator[str]:
-    """Yield a tactic, and of each part its definition and the fact where it lies.
+    """Yield a tactic, then each part's definition and the fact that encloses it.
 
     Raises `UnwritableError`.
     """
@@ -170,12 +170,12 @@ def write_definitions(names: Names) -> Iterator[str]:
 
 
 def settle(text: str) -> str:
-    """Write the tactics that prove relations from where the definitions lie that they use."""
+    """Write the tactics that prove relations from the enclosures of the definitions they use."""
     return f"{_recall(text)}settle."
 
 
 def _recall(text: str) -> str:
-    """Write the tactics that recall where the definitions lie that a text uses."""
+    """Write the tactics that recall the enclosures of the definitions that a text uses."""
     used = dict.fromkeys(re.findall(r"\bshared_\d+\b", text))
     return "".join(f"pose proof {name}_lies. " for name in used)
 
@@ -199,8 +199,8 @@ def _to_fraction(number: flint.arb) -> Fraction:
 def write_script(title: str, theorems: Sequence[Theorem], plain: int = PLAIN) -> str:
     """Write the file of one row: `title` is a comment, each theorem has its number.
 
-    Statements of numbers that would be longer than `plain` characters share their parts. Its
-    `all_parts` is what must not assume more than is published. Raises `UnwritableError`.
+    Statements of numbers that would be longer than `plain` characters share their parts. The file's
+    `all_parts` must rest on no more than the published assumptions. Raises `UnwritableError`.
     """
     text, longest = _write(title, theorems, {}), _LONGEST
     if len(text) > plain and not any(theorem.symbols for theorem in theorems):
@@ -227,14 +227,14 @@ def _write(title: str, theorems: Sequence[Theorem], shared: Names) -> str:
 
 
 def write_assumptions(modules: Sequence[str]) -> str:
-    """Write the file that has Coq print what all parts of some scripts assume."""
+    """Write the file that has Coq print the assumptions of all parts of the given scripts."""
     requires = "".join(f"Require {module}.\n" for module in modules)
     parts = ", ".join(f"{module}.all_parts" for module in modules)
     return f"{requires}\nDefinition all_rows := ({parts}).\nPrint Assumptions all_rows.\n"
 
 
 def write_theorem(theorem: Theorem, name: str, shared: Names) -> str:
-    """Write a theorem with its proof, and the witness of its hypotheses as a lemma before it.
+    """Write a theorem with its proof, preceded by a lemma with the witness of its hypotheses.
 
     Numbers that are `shared` are written by their names.
     """
@@ -273,7 +273,7 @@ def _indent(lines: Sequence[str]) -> str:
 
 
 def _prove_sums(theorem: Theorem, name: str) -> tuple[str, list[str]]:
-    """Write the fact about numbers to which an equality with sums comes, and what leads there."""
+    """Write the fact about numbers that an equality with sums reduces to, and the reduction."""
     proof = SumProof(theorem)
     plain = proof.plain
     names = name_symbols(plain.symbols)

@@ -1,4 +1,4 @@
-"""Signs of quotients: a difference is factored by SymPy, and Coq checks factors and signs."""
+"""Signs of quotients: SymPy factors a difference, and Coq checks the factors and their signs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ORDERED: Mapping[type[sp.Basic], bool] = {sp.Lt: True, sp.Le: True, sp.Gt: False
 
 
 class FactoredQuotient:
-    """A quotient of products: a number, and the factors above and below with their powers."""
+    """A quotient of products: a number, and numerator and denominator factors with powers."""
 
     def __init__(
         self, number: sp.Expr, above: dict[sp.Expr, int], below: dict[sp.Expr, int]
@@ -29,11 +29,11 @@ class FactoredQuotient:
 
     @property
     def is_one(self) -> bool:
-        """Return whether the expression is one factor itself."""
+        """Return whether the numerator has one factor and there is no denominator."""
         return len(self.above) == 1 and not self.below
 
     def split(self) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-        """Yield each factor above and then all of them, each with what is left of the quotient."""
+        """Yield each numerator factor, then their whole product, with the rest of the quotient."""
         below = sp.Mul(*(f**-k for f, k in self.below.items()), evaluate=False)
         for factor, power in self.above.items():
             others = [f**k for f, k in self.above.items() if f != factor]
@@ -103,7 +103,7 @@ def prove_order(
     names: Names,
     known: Sequence[sp.Basic] = (),
 ) -> Iterator[str]:
-    """Write the tactics for an inequality of quotients, or for one that differs from zero."""
+    """Write the tactics for an inequality of quotients, including "differs from"."""
     kind, (left, right) = relation.func, relation.args
     if kind is sp.Ne:
         kind = sp.Lt if balls.truth(sp.Lt(left, right, evaluate=False), witness, BITS) else sp.Gt
@@ -168,7 +168,7 @@ def _find_root(difference: sp.Expr, bases: Sequence[sp.Basic]) -> sp.Expr | None
 def _combine(
     factors: FactoredQuotient, is_strict: bool, modulo: str, witness: Point, names: Names, box: Box
 ) -> str:
-    """Write the difference as a product of what is shown to be positive."""
+    """Write the difference as a product of numbers that are each shown to be positive."""
     steps: list[str] = []
     above: list[str] = []
     below: list[str] = []
@@ -197,9 +197,10 @@ def turn_positive(factor: sp.Expr, witness: Point) -> sp.Expr:
 
 
 def show_sign(positive: sp.Expr, witness: Point, names: Names, box: Box = NO_BOX) -> str:
-    """Write the tactic that shows what is positive: it may be linear in one sine or cosine.
+    """Write the tactic that shows an expression positive, possibly linear in one sine or cosine.
 
-    Within a `box` it may have no negative coefficient in the distances from its bounds.
+    Within a `box`, it suffices that it has no negative coefficient in the distances from its
+    bounds.
     """
     above, below = sp.fraction(positive)
     if find_parts(below, sp.Symbol) and box:
@@ -262,7 +263,7 @@ def _find_square(expression: sp.Expr) -> sp.Expr | None:
 
 
 def write_product(positive: sp.Expr, witness: Point, names: Names) -> str:
-    """Write what is positive as a quotient of products of factors that are positive."""
+    """Write a positive expression as a quotient of products of positive factors."""
     factors = find_factors(positive)
     if factors is None:
         return write_term(positive, names)

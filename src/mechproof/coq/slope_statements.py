@@ -1,7 +1,7 @@
-"""Statements of derivatives, which Coq computes once more.
+"""Statements of derivatives, which Coq computes again.
 
-A row may compare derivatives with the same formula: SymPy has differentiated on both sides. What
-is left to be proved is that the formula is the derivative.
+A row may compare derivatives with the same formula on both sides, as SymPy has differentiated both.
+Then it remains to be proved that the formula is the derivative.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ _DIFFERENTIATED = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.l
 
 
 def states_slope(conclusion: sp.Basic) -> bool:
-    """Return whether a conclusion says what the derivative of a function is."""
+    """Return whether a conclusion states the derivative of a function."""
     return isinstance(conclusion, sp.Eq) and isinstance(conclusion.lhs, sp.Derivative)
 
 
 def differentiate_alike(
     relations: Sequence[sp.Basic], differentiated: Differentiated | None, domain: Domain
 ) -> Iterator[sp.Basic]:
-    """Yield equalities; for those with equal sides, that this is the derivative by a letter."""
+    """Yield the relations; one with equal sides is replaced by a statement of the derivative."""
     if differentiated is None:
         yield from relations
         return
@@ -41,7 +41,7 @@ def differentiate_alike(
 
 
 def _can_be_stated(relation: sp.Basic, whole: sp.Basic, letter: sp.Symbol, domain: Domain) -> bool:
-    """Return whether both sides are one, and the letter is free in what can be differentiated."""
+    """Return whether the sides are equal and the letter is free in a differentiable expression."""
     is_free = letter in find_free(whole) and domain.resolve(letter) == letter
     if relation.lhs != relation.rhs or not is_free:
         return False
@@ -49,7 +49,7 @@ def _can_be_stated(relation: sp.Basic, whole: sp.Basic, letter: sp.Symbol, domai
 
 
 def _has_nested_roots(whole: sp.Basic, letter: sp.Symbol) -> bool:
-    """Return whether a letter is under roots under a root, which no tactic compares in time."""
+    """Return whether a letter is under nested roots, which no tactic compares in time."""
     return any(
         letter in find_free(inner) for root in find_roots(whole) for inner in find_roots(root.base)
     )

@@ -1,8 +1,8 @@
-"""Proofs of equalities with sums: each sum in closed form, and then an equality of numbers.
+"""Proofs of equalities with sums: each sum in closed form, then an equality of numbers.
 
-A sum of products is added up term by term, from the innermost index: a sign that tells equal
-indices picks one term, what has no index is counted. What is left are sums that are letters of a
-theorem of their own.
+A sum of products is added up term by term, from the innermost index: a Kronecker delta picks one
+term, and a factor without the index is counted. Sums that remain become letters of a separate
+theorem.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class _Term:
 
 @dataclass(frozen=True)
 class _Closed:
-    """A sum with the letters of numbers, and as text with the sums that the letters stand for."""
+    """The closed form of a sum: in letters for remaining sums, and as text with these sums."""
 
     total: sp.Sum
     value: sp.Expr
@@ -56,7 +56,7 @@ class SumProof:
         self.theorem = theorem
         self.whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
         self.names = dict(name_letters(theorem.symbols, self.whole))
-        # The sums that stay as they are, by their forms, each with its letter and its text.
+        # The sums that remain, by their forms, each with its letter and its text.
         self.left: dict[sp.Basic, tuple[sp.Symbol, str]] = {}
         self.values: dict[sp.Basic, sp.Expr] = {}
         self.found: list[_Closed] = []
@@ -122,11 +122,11 @@ class SumProof:
         )
 
     def _list_positive(self) -> list[sp.Symbol]:
-        """List the letters of sums of squares."""
+        """List the letters of remaining sums that are non-negative."""
         return [letter for form, (letter, _) in self.left.items() if form.is_nonnegative]
 
     def _close(self, total: sp.Sum) -> _Closed:
-        """Add up a sum whose inner sums are added up before."""
+        """Add up a sum whose inner sums have been added up before."""
         indices = [limit[0] for limit in total.limits]
         if find_free(total) & set(indices):
             raise UnwritableError("a sum whose limits have its indices is not added up")
@@ -134,13 +134,13 @@ class SumProof:
         proof = _Levels(self, total, known)
         value = proof.run()
         self.values[total] = value
-        # A sum that stays as it is keeps its text.
+        # A sum that remains keeps its text.
         is_left = len(indices) == 1 and value.is_Symbol
         text = write_term(total, known) if is_left else proof.text
         return _Closed(total, value, text, tuple(proof.lines))
 
     def name(self, form: sp.Basic, text: str) -> sp.Symbol:
-        """Return the letter of a sum that is left, by its form."""
+        """Return the letter of a remaining sum, the same one for each equal form."""
         if form not in self.left:
             taken = {str(s) for s in (*self.theorem.symbols, *self._texts)}
             name = next(n for n in map("total{}".format, count(1)) if n not in taken)
@@ -149,7 +149,7 @@ class SumProof:
 
 
 class _Levels:
-    """One sum, index by index from the innermost."""
+    """The addition of one sum, index by index from the innermost."""
 
     def __init__(self, proof: SumProof, total: sp.Sum, known: Names) -> None:
         self.proof, self.total, self.known = proof, total, known
@@ -189,7 +189,7 @@ class _Levels:
         return value
 
     def _split(self, value: sp.Expr, index: sp.Symbol, bound: list[sp.Symbol]) -> Iterator[_Term]:
-        """Yield the products of a value, each with what no index changes in front."""
+        """Yield the products of a value, each with its factors free of indices in front."""
         atoms = find_parts(value, sp.Sum, sp.KroneckerDelta)
         hidden = {atom: sp.Dummy() for atom in sorted(atoms, key=sp.default_sort_key)}
         back = {letter: atom for atom, letter in hidden.items()}
@@ -228,7 +228,7 @@ class _Levels:
         return self._multiply(term, self._add_up(term, index, end))
 
     def _multiply(self, term: _Term, result: sp.Expr) -> tuple[sp.Expr, str]:
-        """Return what is summed times the number in front, and its text."""
+        """Return a term's sum times the number in front, and its text."""
         number, written = (write_term(part, self._all) for part in (term.number, result))
         return term.number * result, f"({number} * {written})"
 
@@ -240,7 +240,7 @@ class _Levels:
         return sp.Sum(term.body, (index, 1, end))
 
     def _settle(self, term: _Term, index: sp.Symbol, end: sp.Symbol) -> tuple[sp.Expr, str]:
-        """Return the same for the outermost index, with a letter for a sum that is left."""
+        """Return the same for the outermost index, with a letter for a sum that remains."""
         result = self._add_up(term, index, end)
         if isinstance(result, sp.Sum):
             result = self.proof.name(_find_form(result), write_term(result, self._all))
@@ -260,7 +260,7 @@ class _Levels:
 
 
 def _nest(levels: list[list[str]], letters: list[str]) -> list[str]:
-    """Put the proof of each inner level into that of the level around it."""
+    """Nest the proof of each inner level in the proof of the next level outwards."""
     lines = levels[0]
     for place in range(1, len(levels), 2):
         (text,), outer = levels[place], levels[place + 1]
@@ -276,13 +276,13 @@ def _join(texts: list[str]) -> str:
 
 
 def _take_sign(factor: sp.Expr) -> sp.KroneckerDelta | None:
-    """Return the Kronecker delta of which a factor is a power, if it is one."""
+    """Return the Kronecker delta of which a factor is a power, or None."""
     base = factor.base if isinstance(factor, sp.Pow) else factor
     return base if isinstance(base, sp.KroneckerDelta) else None
 
 
 def _put(node: sp.Basic, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
-    """Replace parts by values, and leave all else as it is: roots keep what is under them."""
+    """Replace parts by values and leave all else unchanged, also the parts under roots."""
     if node in values:
         return values[node]
     parts = [_put(part, values) for part in node.args]
@@ -293,7 +293,7 @@ def _put(node: sp.Basic, values: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
 
 
 def _list_sums(whole: sp.Basic) -> list[sp.Sum]:
-    """List the sums, those first that are parts of others. Raises `UnwritableError`."""
+    """List the sums, inner ones first. Raises `UnwritableError`."""
     sums = sorted(find_parts(whole, sp.Sum), key=lambda s: (_measure(s), str(s)))
     bound = {limit[0] for total in sums for limit in total.limits}
     if any(isinstance(s, sp.Symbol) and s in bound for t in sums for s in find_free(t)):
@@ -302,13 +302,13 @@ def _list_sums(whole: sp.Basic) -> list[sp.Sum]:
 
 
 def _measure(expression: sp.Basic) -> int:
-    """Return how deep sums lie in each other."""
+    """Return how deeply sums are nested."""
     inner = [_measure(part) for part in expression.args]
     return max(inner, default=0) + isinstance(expression, sp.Sum)
 
 
 def _find_form(total: sp.Sum) -> sp.Basic:
-    """Return a sum with its indices in one order, under names of their own."""
+    """Return a sum with its indices in one order and under fixed names."""
     body: sp.Basic = total
     limits = []
     while isinstance(body, sp.Sum):

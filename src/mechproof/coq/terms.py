@@ -1,11 +1,11 @@
-"""SymPy's expressions -> terms of Coq's real numbers, and what these need to have their values.
+"""SymPy's expressions -> terms of Coq's real numbers, with the conditions for their values.
 
 Division, square roots and tangents are total functions in Coq: x / 0 is a number of which nothing
 is known. So every term comes with the conditions under which it means what is printed.
 
-Letters of sums are whole numbers to which they go, and families of numbers that have indices. In a
-mapping of names a whole number stands twice: itself, where it is a number among others, and as
-`sp.Tuple` of itself, where it is a limit or an index.
+The letters of sums are whole numbers, the upper limits, and families of numbers with indices. A
+mapping of names contains each whole number twice: as itself, where it is a number among others, and
+as `sp.Tuple` of itself, where it is a limit or an index.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def write_term(expression: sp.Basic, names: Names) -> str:
 
 
 def write_relation(relation: sp.Basic, names: Names) -> str:
-    """Write a relation, or a conjunction or disjunction of some. Raises `UnwritableError`."""
+    """Write a relation, a conjunction or a disjunction. Raises `UnwritableError`."""
     if isinstance(relation, sp.And | sp.Or):
         sign = " /\\ " if isinstance(relation, sp.And) else " \\/ "
         parts = sorted(relation.args, key=sp.default_sort_key)
@@ -79,14 +79,14 @@ def write_relation(relation: sp.Basic, names: Names) -> str:
 
 
 def _write_derivative(derivative: sp.Derivative, slope: sp.Basic, names: Names) -> str:
-    """Write that a function of a letter has a derivative where the letter is, and which."""
+    """Write that a function of a letter has, at that letter, the derivative `slope`."""
     letter = names[derivative.variables[0]]
     body, value = (write_term(part, names) for part in (derivative.expr, slope))
     return f"(is_derive (fun {letter} : R => {body}) {letter} {value})"
 
 
 def name_symbols(symbols: Iterable[sp.Basic], known: Names = _NO_NAMES) -> Names:
-    """Give every symbol an identifier, none twice and none of those that are known."""
+    """Give every symbol an identifier that no other symbol and no `known` name has."""
     names = dict(known)
     for symbol in symbols:
         plain = re.sub(r"\W+", "_", str(symbol), flags=re.ASCII).strip("_") or "x"
@@ -98,9 +98,9 @@ def name_symbols(symbols: Iterable[sp.Basic], known: Names = _NO_NAMES) -> Names
 
 
 def list_needs(expression: sp.Basic) -> list[sp.Basic]:
-    """List what parts of an expression need to have values, without what numbers show.
+    """List the conditions for an expression's parts to have values, except those shown by numbers.
 
-    What an integrand needs is not among them: `list_integrals` has the integrals.
+    Conditions for integrands are not included: `list_integrals` lists the integrals.
     """
     found = (need for node in _list_outside(expression) for need in _need(node))
     return list(dict.fromkeys(need for need in found if need is not sp.true))
@@ -112,7 +112,7 @@ def list_integrals(expression: sp.Basic) -> list[sp.Integral]:
 
 
 def _list_outside(expression: sp.Basic) -> list[sp.Basic]:
-    """List the parts of an expression, inner ones first, each once; of integrals only limits."""
+    """List an expression's parts, inner ones first, each once; of integrals only the limits."""
     found: dict[sp.Basic, None] = {}
 
     def visit(node: sp.Basic) -> None:
@@ -148,12 +148,12 @@ def _need(node: sp.Basic) -> Iterator[sp.Basic]:
 
 
 def _square(part: sp.Expr) -> sp.Expr:
-    """Square a part unevaluated if it is long: SymPy would check for long if it is infinite."""
+    """Square a part, unevaluated if it is long: SymPy would check at length if it is infinite."""
     return sp.Pow(part, 2, evaluate=not (part.is_number and isinstance(part, sp.Add)))
 
 
 def _relate(relation: Callable[..., sp.Basic], part: sp.Basic) -> sp.Basic:
-    """Relate a part to zero; a number that is no fraction stays as it is, for Coq to enclose."""
+    """Relate a part to zero; a non-rational number stays unevaluated, for Coq to enclose."""
     return relation(part, 0, evaluate=not part.is_number or part.is_Rational)
 
 
@@ -205,7 +205,7 @@ def _write_integral(integral: sp.Integral, names: Names) -> str:
 
 
 def _write_total(total: sp.Sum, names: Names) -> str:
-    """Write a sum, the last limit outside."""
+    """Write a sum, the last limit outermost."""
     opening, closing, inner = "", "", dict(names)
     for index, lower, upper in reversed(total.limits):
         if lower != 1 or sp.Tuple(upper) not in names:
@@ -218,7 +218,7 @@ def _write_total(total: sp.Sum, names: Names) -> str:
 
 
 def _write_element(element: sp.Indexed | sp.KroneckerDelta, names: Names) -> str:
-    """Write a number of a family, or the sign that tells equal indices."""
+    """Write a number of a family, or the Kronecker delta of two indices."""
     is_family = isinstance(element, sp.Indexed)
     name = names[element.base] if is_family else "kronecker"
     return f"({name} {' '.join(_write_indices(element, names))})"
@@ -247,7 +247,7 @@ _WRITERS: Mapping[type[sp.Basic], Callable[..., str]] = {
 
 
 def has_families(*expressions: sp.Basic) -> bool:
-    """Return whether there are sums, or parts of some."""
+    """Return whether there are sums, elements of families or Kronecker deltas."""
     return bool(find_parts(sp.Tuple(*expressions), sp.Sum, sp.Indexed, sp.KroneckerDelta))
 
 
@@ -258,7 +258,7 @@ def find_wholes(*expressions: sp.Basic) -> set[sp.Basic]:
 
 
 def find_ranks(*expressions: sp.Basic) -> dict[sp.Basic, int]:
-    """Return the families with the number of their indices."""
+    """Return the families, each with its number of indices."""
     return {part.base: len(part.indices) for part in find_parts(sp.Tuple(*expressions), sp.Indexed)}
 
 
@@ -273,7 +273,7 @@ def list_letters(*expressions: sp.Basic) -> tuple[sp.Basic, ...]:
 
 
 def name_letters(symbols: Iterable[sp.Basic], *expressions: sp.Basic) -> Names:
-    """Name the letters of a statement, of which these are parts."""
+    """Name the letters of a statement whose parts are the given expressions."""
     names = dict(name_symbols(symbols))
     for whole in find_wholes(*expressions):
         if whole in names:
@@ -283,7 +283,7 @@ def name_letters(symbols: Iterable[sp.Basic], *expressions: sp.Basic) -> Names:
 
 
 def write_binders(symbols: Iterable[sp.Basic], names: Names, *expressions: sp.Basic) -> str:
-    """Write the letters with their kinds."""
+    """Write the letters with their kinds, as a quantifier binds them."""
     listed, ranks = list(symbols), find_ranks(*expressions)
     kinds: dict[str, list[str]] = {}
     for symbol in listed:
@@ -306,7 +306,7 @@ def write_value(symbol: sp.Basic, value: sp.Basic, names: Names) -> str:
 
 
 def give_laws(symbols: Iterable[sp.Basic], relations: Iterable[sp.Basic], slope: int) -> Laws:
-    """Give each family numbers that depend on the indices where the slope is not zero."""
+    """Give each family numbers, which depend on the indices unless `slope` is zero."""
     found = {}
     for place, (family, rank) in enumerate(sorted(find_ranks(*relations).items(), key=str)):
         if family in set(symbols):
@@ -318,7 +318,7 @@ def give_laws(symbols: Iterable[sp.Basic], relations: Iterable[sp.Basic], slope:
 
 
 def write_at(expression: sp.Basic, point: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
-    """Write sums out at a point, with the numbers of the families in them."""
+    """Write sums out at a point, with the point's numbers for the families in them."""
     if not has_families(expression):
         return expression
     if isinstance(expression, Boolean):

@@ -1,6 +1,6 @@
-"""A row and its verdict -> the theorems that say as much: of all values, or of a point.
+"""A row and its verdict -> the theorems that state it: for all values, or at a point.
 
-A relation with laws by pieces is one for every choice of pieces, with its conditions.
+A relation with laws by pieces becomes one theorem for every choice of pieces, with its conditions.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ from mechproof.statement_domains.preparation import prepare
 _POINTS = 40
 _COMPARED = 8
 _BITS = 256
-# Work limit: a relation with more parts than this is not written.
+# Work limit: a relation with this many parts or more is not written.
 _LONGEST = 8000
 
 
@@ -56,7 +56,7 @@ class Theorem:
     """A conclusion for all values of the symbols that satisfy the hypotheses, or at one point.
 
     The point `witness` satisfies the hypotheses: they contradict neither each other nor the domain.
-    `points` are others at which a statement that was read back is compared with this one.
+    At `points`, a statement read back from its text is compared with this one.
     """
 
     symbols: tuple[sp.Basic, ...]
@@ -70,8 +70,8 @@ class Theorem:
 def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
     """Return the theorems of a row that is PROVED or REFUTED. Raises `UnwritableError`.
 
-    That integrands have values between their limits is a theorem of its own before those of which
-    they are a part.
+    A separate theorem states that integrands have values between their limits, ahead of the
+    theorems that they are part of.
     """
     if verdict is Verdict.REFUTED:
         relations = list(_list_relations(row.statement, domain))
@@ -95,7 +95,7 @@ def build_theorems(row: Row, verdict: Verdict, domain: Domain) -> list[Theorem]:
 
 
 def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
-    """Refuse what is too long or has no term, before points are looked for."""
+    """Refuse relations that are too long or have no term, before points are searched for."""
     _refuse_long(relations)
     for relation in relations:
         letters = list_letters(relation)
@@ -103,7 +103,7 @@ def _refuse_unwritable(relations: Sequence[sp.Basic]) -> None:
 
 
 def _refuse_long(relations: Sequence[sp.Basic]) -> None:
-    """Refuse relations of too many parts; equal parts of numbers count once, as they are shared."""
+    """Refuse relations of too many parts; equal parts of numbers, being shared, count once."""
     parts: Iterator[sp.Basic] = chain.from_iterable(map(sp.preorder_traversal, relations))
     if not any(map(find_free, relations)):
         parts = iter(dict.fromkeys(parts))
@@ -112,7 +112,7 @@ def _refuse_long(relations: Sequence[sp.Basic]) -> None:
 
 
 def _list_relations(statement: Statement, domain: Domain) -> Iterator[sp.Basic]:
-    """Yield what a statement asserts, with the symbols that the paper declares written out."""
+    """Yield the relations that a statement asserts, with declared symbols written out."""
     match statement:
         case Conjunction():
             for part in statement.parts:
@@ -157,7 +157,7 @@ def _state_inner_needs(relations: Iterable[sp.Basic], domain: Domain) -> list[Th
 def list_between(integral: sp.Integral) -> tuple[sp.Basic, ...]:
     """List the relations that keep the letter of an integral between its limits.
 
-    There are none where the integrand is to have values everywhere: it has no tangents.
+    There are none if the integrand must have values everywhere: if it has no tangents.
     """
     letter, lower, upper = integral.limits[0]
     if not integral.function.has(sp.tan):
@@ -202,7 +202,7 @@ def _tell_apart(points: Sequence[Point]) -> bool:
 def _draw(
     symbols: Sequence[sp.Basic], domain: Domain, relations: Sequence[sp.Basic]
 ) -> tuple[Point, ...]:
-    """Draw points without regard to published sizes, of which some are equal."""
+    """Draw points without regard to published sizes, some of which are equal."""
     with suppress(UnwritableError):
         unpublished = replace(domain, published=())
         return tuple(islice(_list_points(symbols, unpublished, relations), _COMPARED))
@@ -210,7 +210,7 @@ def _draw(
 
 
 def is_true(relation: sp.Basic, point: Point) -> bool | None:
-    """Return whether a relation holds at a point; None where balls do not tell."""
+    """Return whether a relation holds at a point; None if balls do not decide."""
     numbers = {s: value for s, value in point.items() if not isinstance(value, sp.Lambda)}
     return balls.truth(write_at(relation, point), numbers, _BITS)
 
@@ -218,7 +218,7 @@ def is_true(relation: sp.Basic, point: Point) -> bool | None:
 def _list_points(
     symbols: Sequence[sp.Basic], domain: Domain, relations: Sequence[sp.Basic]
 ) -> Iterator[Point]:
-    """Yield points: sums get few terms, and every second point gets families that change."""
+    """Yield points: sums get few terms, and families depend on indices at every second point."""
     wholes = find_wholes(*relations)
     for place, point in enumerate(_list_numbers(symbols, domain)):
         few = dict.fromkeys(wholes & point.keys(), sp.Integer(2 + place % 3))
@@ -236,7 +236,7 @@ def _list_numbers(symbols: Sequence[sp.Basic], domain: Domain) -> Iterator[Point
 
 
 def _try_points(symbols: list[sp.Basic], domain: Domain) -> Iterator[Point]:
-    """Yield points of the domain, few at first: one of them nearly always does."""
+    """Yield points of the domain, only a few at first: nearly always one of them will do."""
     try:
         few = domain.points(symbols, _COMPARED)[:_COMPARED]
         yield from few
@@ -248,7 +248,7 @@ def _try_points(symbols: list[sp.Basic], domain: Domain) -> Iterator[Point]:
 def _list_hypotheses(
     relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = ()
 ) -> tuple[sp.Basic, ...]:
-    """List the sets of the symbols, what the paper says of them, and what the sides need."""
+    """List the symbols' sets, the paper's relations, and the conditions of the sides."""
     met = find_free(relation).union(*map(find_free, between))
     tied = [r for r in domain.where if find_free(r) <= met]
     met_letters = tuple(sorted({s for s in met if isinstance(s, sp.Symbol)}, key=str))
@@ -259,13 +259,13 @@ def _list_hypotheses(
 
 
 def _is_of_elements(hypothesis: sp.Basic) -> bool:
-    """Return whether a hypothesis is about single numbers of a family; left out, more is proved."""
+    """Return whether a hypothesis is about single elements; omitting it proves more."""
     sums = find_parts(hypothesis, sp.Sum)
     return bool(find_parts(hypothesis.xreplace(dict.fromkeys(sums, sp.S.One)), sp.Indexed))
 
 
 def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
-    """Yield the bounds of a set; that numbers are whole is left out, so that more is proved."""
+    """Yield the bounds of a set; omitting that numbers are whole proves more."""
     try:
         low, high = values.inf, values.sup
     except (NotImplementedError, AttributeError):
@@ -277,7 +277,7 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
 
 
 def _negate(relation: sp.Basic) -> sp.Basic:
-    """Return the relation that is true where another one between two sides is not."""
+    """Return the relation that is true where the given one is not."""
     if not isinstance(relation, Relational):
         raise UnwritableError(f"the contrary of {type(relation).__name__} is not written")
     return relation.negated
@@ -288,10 +288,11 @@ Case = tuple[sp.Basic, tuple[sp.Basic, ...]]
 
 
 def list_cases(relation: sp.Basic, known: tuple[sp.Basic, ...] = ()) -> Iterator[Case]:
-    """Yield the cases of a relation; one whose conditions contradict each other is none.
+    """Yield the cases of a relation, without those whose conditions contradict each other.
 
-    A piece holds where its condition does and those of the pieces before it do not; where none
-    does, the law has no value. Raises `UnwritableError` for a condition that is no comparison.
+    A piece holds where its condition does and those of all earlier pieces do not; where no
+    condition holds, the law has no value. Raises `UnwritableError` for a condition that is no
+    comparison.
     """
     laws = find_parts(relation, sp.Piecewise)
     inner = [law for law in laws if not find_parts(sp.Tuple(*law.args), sp.Piecewise)]
