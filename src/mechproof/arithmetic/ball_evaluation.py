@@ -1,8 +1,8 @@
-"""Ball evaluation: in, an expression of SymPy; out, what encloses it for given balls.
+"""Ball evaluation: an expression of SymPy -> a function that encloses it for given balls.
 
 Each operation encloses, and so does the whole: the fundamental theorem of interval arithmetic
 (Moore 1966), in balls. Integrals are those of Arb (Johansson 2018, by the method of Petras). Equal
-parts are evaluated once. What is undefined or undecided gives a ball that is not finite.
+parts are evaluated once. An undefined or undecided expression gives a ball that is not finite.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ MOST_TERMS = 1000
 # Work limit: values of an integrand, for each bit of the precision.
 _MOST_VALUES = 500
 _ANALYTIC = sp.Dummy("analytic")
-# The midpoint and the radius of a ball, of its two parts if it is complex.
+# The midpoint and the radius of a ball, or of both parts of a complex one.
 _Parts = tuple[tuple[Any, Any], ...]
 
 
 @lru_cache(maxsize=512)
 def compile_expression(expression: sp.Basic) -> Evaluator:
-    """Return what encloses the expression for balls of its symbols."""
+    """Return a function that encloses the expression for balls of its symbols."""
     layout = Layout(expression, plan)
     return lambda values: layout.run(values)[-1]
 
 
 def plan(node: sp.Basic) -> Plan:
-    """Return what to do at a node and the nodes it needs first."""
+    """Return the operation of a node and the nodes that it needs first."""
     if isinstance(node, sp.Rational):
         number = fmpq(int(node.p), int(node.q))
         return (lambda values: arb(number)), ()
@@ -118,7 +118,7 @@ def _square_root(base: Ball, values: Values) -> Ball:
 
 
 def _repeat(node: sp.Basic) -> Plan:
-    """Return how to combine the terms of a sum or the factors of a product."""
+    """Return the operation that combines the terms of a sum or the factors of a product."""
     index, lower, upper = node.limits[-1]
     inner = node.func(node.function, *node.limits[:-1]) if node.limits[1:] else node.function
     is_sum = isinstance(node, sp.Sum)
@@ -135,7 +135,7 @@ def _repeat(node: sp.Basic) -> Plan:
 
 
 def _as_integer(ball: Ball) -> int | None:
-    """Return a limit as an integer; papers do not agree on what sums to other limits are."""
+    """Return a limit as an integer, or None: papers disagree about sums to other limits."""
     integer = ball.unique_fmpz() if ball.is_finite() and ball.is_exact() else None
     return None if integer is None else int(integer)
 
@@ -166,11 +166,11 @@ def _integrate(
     given: tuple[tuple[sp.Basic, _Parts], ...],
     precision: int,
 ) -> Ball:
-    """Integrate with what is given, at the working precision, which is `precision`."""
+    """Integrate for given balls at flint's working precision, which must equal `precision`."""
     values = {name: _put_together(parts) for name, parts in given}
     start, end = (acb(_put_together(parts)) for parts in ends)
     layout = Layout(function, plan)
-    # The integrand is run hundreds of times: what does not depend on its variable is computed once.
+    # The integrand is run hundreds of times, so parts without its variable are computed once.
     layout.settle(values)
 
     def integrand(point: Ball, analytic: bool) -> Ball:
@@ -182,7 +182,7 @@ def _integrate(
 
 
 def _widen(end: Ball, other: Ball) -> Ball:
-    """Return an end of an interval together with what is next to it inside.
+    """Return an end of an interval together with its immediate neighbourhood inside.
 
     An integrand without a finite enclosure there has none over the whole interval, however often
     that is halved.

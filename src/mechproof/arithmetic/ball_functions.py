@@ -1,8 +1,8 @@
-"""Ball functions: what constants, functions and comparisons of SymPy are of balls.
+"""Ball functions: SymPy's constants, functions and comparisons, applied to balls.
 
-Comparisons that balls do not decide are open, and so is what hangs on them, as in Kleene's logic of
-three values (1952). Of complex balls functions also say whether they are analytic, which the
-integration of Arb asks for (Johansson 2018).
+Comparisons that balls do not decide are open, and so is all that depends on them, as in Kleene's
+three-valued logic (1952). For complex balls, functions also report whether they are analytic, as
+Arb's integration requires (Johansson 2018).
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _ALIKE = (
 )
 FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     **{kind: methodcaller(kind.__name__.lower()) for kind in _ALIKE},
-    # Flint gives [-pi, pi] where the vector may be zero, which has no argument.
+    # Flint gives [-pi, pi] for a vector that may be zero, which has no argument.
     sp.atan2: lambda y, x: NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x),
     sp.factorial: lambda x: (x + 1).gamma(),
     ValueWhere: lambda value, needed: value,
@@ -79,7 +79,7 @@ COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
 
 
 def are_equal(left: Ball, right: Ball) -> bool | None:
-    """Tell whether two balls are one number; None where they only overlap."""
+    """Return whether two balls are the same number; None if they only overlap."""
     exact = left.is_exact() and right.is_exact() and left == right
     return _certain(exact, not left.overlaps(right))
 
@@ -116,5 +116,5 @@ def _step(x: Ball, at_zero: Ball) -> Ball:
 
 
 def take_real_part(ball: Ball) -> Ball:
-    """Return the real ball of a complex one; not finite for one off the real line."""
+    """Return the real part of a complex ball; not finite if the ball is off the real line."""
     return ball.real if ball.imag.contains(0) else NOT_FINITE

@@ -40,7 +40,7 @@ PRECISIONS = (64, 128, 256, 512, 1024)
 
 @contextmanager
 def working_precision(bits: int) -> Iterator[None]:
-    """Set flint's precision for a block and put the old one back."""
+    """Set flint's precision for a block and restore the old one afterwards."""
     before = flint.ctx.prec
     flint.ctx.prec = bits
     try:
@@ -50,7 +50,7 @@ def working_precision(bits: int) -> Iterator[None]:
 
 
 def to_ball(number: Any) -> Ball:
-    """Return the ball of a double, an integer or a fraction, exact, or of a number of SymPy."""
+    """Return the exact ball of a double, integer or fraction, or a ball of a number of SymPy."""
     if isinstance(number, arb | acb):
         return number
     if isinstance(number, sp.Float):
@@ -92,21 +92,21 @@ def evaluate_until(
 def show(ball: Ball, digits: int = 12) -> str:
     """Return the ball as text: midpoint and radius.
 
-    A ball that is wide, but without zero, keeps the digits of its middle: they show its sign.
+    A wide ball that does not contain zero keeps the digits of its middle, which show its sign.
     """
     shown = str(ball.str(digits))
     return str(ball.str(3, more=True)) if "[+/-" in shown and not ball.contains(0) else shown
 
 
 def read(text: str) -> Ball:
-    """Return a ball that contains what was shown as a text."""
+    """Return a ball that contains every number that was shown as this text."""
     return arb(text)
 
 
 def show_apart(left: Ball, right: Ball) -> tuple[str, str]:
-    """Return two balls as texts, with as many digits as tell them apart.
+    """Return two balls as texts with enough digits to tell them apart, at most 96.
 
-    Two numbers that are equal, where one should be the smaller, need no more than one.
+    Equal balls, where one should be smaller, are shown with the default digits.
     """
     if left == right:
         return show(left), show(right)

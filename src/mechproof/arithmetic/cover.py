@@ -1,7 +1,7 @@
-"""Cover: in, a box and an aim; out, its parts with bounds below the aim, many at once.
+"""Cover: a box and an aim -> parts of the box with bounds below the aim, many at once.
 
-Branch and bound (Hansen and Walster 2004) without a value to beat: a proof needs every part. Or no
-aim is given, and a number is found that the bound exceeds nowhere, the highest parts first.
+This is branch and bound (Hansen and Walster 2004) without a value to beat, as a proof needs every
+part. Without an aim, a number is found that the bound exceeds nowhere, the highest parts first.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ Bound = Callable[[Boxes], Array]
 # For each part in turn, the side across which it is cut, or `WHOLE` if it is not.
 Cuts = NDArray[np.int8]
 WHOLE = -1
-# No side is cut to less than this share of the whole while another one is longer.
+# No side is cut to less than this fraction of the whole while another one is longer.
 FINEST = 2.0**-13
 # How many of the parts with the largest bounds are kept.
 WORST = 32
-# Up to so many boxes are bounded in hardly more time than a single one.
+# Up to this many boxes are bounded in hardly more time than a single one.
 FEW = 64
 # How often the first sides are halved before any box is bounded.
 CUTS = 2
-# A side no longer than this share of its larger end is narrow: a size and its tolerance.
+# A side no longer than this fraction of its larger end is narrow: a size and its tolerance.
 NARROW = 0.125
 # How many boxes are divided at once.
 TOGETHER = 512
-# Parts with no side longer than this share of the whole are not divided.
+# Parts with no side longer than this fraction of the whole are not divided.
 THIN = 2.0**-24
 # How many parts with a high bound are reported.
 KEPT = 32
@@ -42,7 +42,7 @@ KEPT = 32
 
 @dataclass(frozen=True)
 class Cover:
-    """How many parts are below an aim, the worst of all, one that is not below, and the cuts."""
+    """The number of parts below an aim, the highest bounds, a part not below, and the cuts."""
 
     count: int
     worst: tuple[tuple[float, Box], ...]
@@ -51,9 +51,9 @@ class Cover:
 
 
 def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Cover:
-    """Divide a box, its first sides before all, until every part is below an aim or one is not.
+    """Divide a box until every part is below an aim or one is shown not to be; first sides first.
 
-    A part whose middle alone is above the aim cannot be divided into parts below it.
+    A part whose bound is above the aim at its middle alone cannot be divided into parts below it.
     """
     whole, count = as_boxes(box), 0
     worst: list[tuple[float, Box]] = []
@@ -79,14 +79,15 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Co
 
 
 def are_below(heights: Array, aim: float) -> NDArray[np.bool_]:
-    """Say which parts have bounds below an aim; those without a bound do not."""
+    """Return which parts have bounds below an aim; parts without a bound do not."""
     return np.isfinite(heights) & (heights <= aim)
 
 
 def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
-    """Return the parts of a box that `cover_below` divided so, and the cuts that are left over.
+    """Return the parts into which `cover_below` divided a box by `cuts`, and the cuts left over.
 
-    They cover the box whatever the cuts are; ValueError for cuts that end too soon or have no side.
+    They cover the box whatever the cuts are. Raises ValueError if the cuts end too soon or name a
+    side that does not exist.
     """
     waiting = divide(as_boxes(box), first)
     parts = [waiting[:0]]
@@ -122,7 +123,7 @@ def divide(whole: Boxes, sides: int) -> Boxes:
 
 
 def _measure(boxes: Boxes) -> Array:
-    """Return the lengths of sides; infinite for sides without a length or without an end."""
+    """Return the lengths of sides; infinite for sides of zero or infinite length."""
     lengths = boxes[:, :, 1] - boxes[:, :, 0]
     return np.where(lengths > 0, lengths, np.inf)
 
@@ -134,9 +135,10 @@ def _are_narrow(boxes: Boxes) -> NDArray[np.bool_]:
 
 @dataclass(frozen=True)
 class Halves:
-    """Both halves of boxes, all the first before the second, with their bounds.
+    """Both halves of boxes, all first halves before all second ones, with their bounds.
 
-    The sides across which they were cut and the bound at the middle of the highest come with them.
+    `sides` are those across which they were cut; `middle` is the bound at the middle of the box
+    with the highest bound.
     """
 
     boxes: Boxes
@@ -146,12 +148,12 @@ class Halves:
 
 
 def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
-    """Cut each box across the side without whose length its bound is lowest, or the longest.
+    """Cut each box across the side whose reduction to its middle lowers the bound most.
 
-    To bound few boxes takes as long as to bound many: of few, the halves across every side are
-    bounded at once with what is needed for the choice.
+    If none lowers it, the longest side is cut. Bounding few boxes takes as long as bounding many:
+    for few, the halves across every side are bounded together with what is needed for the choice.
     """
-    # Cutting a narrow side changes little, so that its length counts as a share of its larger end.
+    # Cutting a narrow side changes little, so its length counts as a fraction of its larger end.
     spans = np.where(_are_narrow(whole), np.abs(whole).max(axis=2), _measure(whole))
     with np.errstate(invalid="ignore"):
         lengths = np.where(np.isfinite(spans), boxes[:, :, 1] - boxes[:, :, 0], 0.0)
@@ -181,14 +183,14 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Halves:
 
 
 def _flatten(boxes: Boxes, rows: NDArray[np.intp], sides: NDArray[np.intp]) -> Boxes:
-    """Return boxes, each with a side that is its middle alone."""
+    """Return boxes, each with one side reduced to its middle."""
     flat = boxes[rows]
     flat[np.arange(len(rows)), sides] = _find_middles(boxes)[rows, sides, np.newaxis]
     return flat
 
 
 def _cut(boxes: Boxes, rows: NDArray[np.intp], sides: NDArray[np.intp]) -> tuple[Boxes, Boxes]:
-    """Return the first and the second halves of boxes across a side of each."""
+    """Return the first and the second halves of boxes, each cut across one of its sides."""
     first, second, each = boxes[rows], boxes[rows], np.arange(len(rows))
     first[each, sides, 1] = second[each, sides, 0] = _find_middles(boxes)[rows, sides]
     return first, second
@@ -201,7 +203,7 @@ def _find_middles(boxes: Boxes) -> Array:
 
 
 def take_middles(boxes: Boxes) -> Boxes:
-    """Return the middles of boxes; sides without an end stay as they are."""
+    """Return the middles of boxes; infinite sides stay as they are."""
     middles = _find_middles(boxes)[:, :, np.newaxis]
     return np.where(np.isinf(boxes[:, :, 1:]), boxes, middles)
 
@@ -218,7 +220,7 @@ def as_box(box: Boxes) -> Box:
 
 @dataclass(frozen=True)
 class Largest:
-    """The largest that a bound can be over a box, what it reaches, and parts where it is high.
+    """A bound that holds over a whole box, the value reached, and the parts where it is high.
 
     `open` is a part where the bound is not finite, and cannot be made so by dividing it.
     """
@@ -231,7 +233,7 @@ class Largest:
 
 
 def bound_largest(bound: Bound, box: Box, tolerance: float, most: int) -> Largest:
-    """Divide a box until the bound is known to a tolerance, or into so many parts at most."""
+    """Divide a box until the bound is known to a relative tolerance, or there are `most` parts."""
     whole = as_boxes(box)
     boxes = divide(whole, len(box))
     heights, reached, count = _raise(bound(boxes)), 0.0, len(boxes)
@@ -265,7 +267,7 @@ def bound_largest(bound: Bound, box: Box, tolerance: float, most: int) -> Larges
 
 
 def _are_thin(boxes: Boxes, whole: Boxes) -> Mask:
-    """Say which parts are too thin to be divided."""
+    """Return which parts are too thin to be divided."""
     lengths = whole[:, :, 1] - whole[:, :, 0]
     return np.all(boxes[:, :, 1] - boxes[:, :, 0] <= THIN * lengths, axis=1)
 
@@ -275,7 +277,7 @@ def _find_highest(heights: Array) -> float:
 
 
 def _raise(heights: Array) -> Array:
-    """Return infinity for what is not a number."""
+    """Replace NaN by infinity."""
     return np.where(np.isnan(heights), np.inf, heights)
 
 

@@ -1,7 +1,7 @@
-"""Exact series: in, an expression of one symbol; out, its Taylor coefficients at zero, rational.
+"""Exact series: an expression in one symbol -> its rational Taylor coefficients at zero.
 
-The layout and the rules are those of `series`, with rationals for balls: of a ball that holds zero
-nobody knows that it is zero, and a proof near zero begins with coefficients that vanish.
+The layout and the rules are those of `series`, with rationals for balls: a ball that contains zero
+is not known to be zero, and a proof near zero begins with coefficients that vanish.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ ORDER = 63
 
 
 def expand_at_zero(expression: sp.Expr, symbol: sp.Symbol) -> list[sp.Rational] | None:
-    """Return `ORDER` coefficients; None where there are none, or none that are rational."""
+    """Return `ORDER` coefficients, or None if there are none or they are not rational."""
     with working(ORDER):
         try:
             layout = Layout(expression, _plan, whole=())

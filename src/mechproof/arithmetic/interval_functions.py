@@ -1,6 +1,6 @@
 """Interval functions: elementary functions of intervals, by balls at their ends.
 
-Of what has a linear form the result has one, too: by its values at both ends, its slopes between
+If the argument has a linear form, so has the result: by its values at both ends, its slopes between
 them, and where it is convex or concave.
 """
 
@@ -38,15 +38,15 @@ def _enclose(function: Function, value: float) -> tuple[float, float]:
 
 
 def apply(function: Function, values: Ends) -> Interval:
-    """Return a function at doubles."""
-    # Boxes that lie side by side share ends, too.
+    """Return enclosures of a function at doubles."""
+    # Adjacent boxes share ends, too.
     some, places = np.unique(values, return_inverse=True)
     found = np.array([_enclose(function, value) for value in some.tolist()])
     return widen(found[places, 0], found[places, 1])
 
 
 def _rise(function: Function, z: Interval, slope: Slope, bend: Slope) -> Interval:
-    """Return a monotone function; its value tells its slope, and the sign of its bend."""
+    """Return a monotone function; `slope` and `bend` follow from its value."""
     first, last = apply(function, z.low), apply(function, z.high)
     found = first.union(last)
     if z.form is None:
@@ -55,7 +55,7 @@ def _rise(function: Function, z: Interval, slope: Slope, bend: Slope) -> Interva
 
 
 def _keep(z: Interval, known: Mask) -> Interval:
-    """Return only what is known; elsewhere it is not finite."""
+    """Keep the intervals where a mask says so; elsewhere they are not finite."""
     return Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan), form=z.form)
 
 

@@ -1,8 +1,8 @@
 """Intervals: two arrays of doubles, the ends over many boxes at once, rounded outward.
 
-A product that would fall below the normal range is an error of floating point: NumPy raises it
-under `careful`, and only those boxes for which it does pay for ends moved away from there. Interval
-arithmetic is that of Moore (1966), one operation for many boxes.
+A product that falls below the normal range is a floating-point error, which NumPy raises under
+`careful`; only boxes for which that happens pay for ends moved away from there. Interval arithmetic
+is that of Moore (1966), one operation for many boxes.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Ends = Any
 Mask = Any
 # The spacing of doubles at 1, and the largest relative error of rounding to nearest.
 EPS, UNIT = 2.0**-52, 2.0**-53
-# Numbers that are smaller, but not zero, may be rounded by more than a share of themselves.
+# Nonzero numbers smaller than this may have larger relative rounding errors.
 LEAST_NORMAL = 2.0**-1022
 # Twice the relative error of an end that was rounded to nearest.
 OUTWARD = EPS
@@ -47,8 +47,8 @@ class Interval:
         self._sign = sign
 
     def narrowed(self, take: Callable[..., LinearForm], *given: Any) -> Interval:
-        """Return the numbers that a form of them, made of what is given, leaves."""
-        # What is too small is counted by the forms themselves.
+        """Return the intersection with the linear form that `take` makes of the given arguments."""
+        # The forms themselves account for numbers that are too small.
         with np.errstate(under="ignore"):
             form = take(*given)
             low = np.fmax(self.low, form.middle - form.reach)
@@ -69,7 +69,7 @@ class Interval:
 
     @property
     def is_finite(self) -> Mask:
-        """Say where both ends are numbers."""
+        """Return where both ends are finite."""
         return np.isfinite(self.low) & np.isfinite(self.high)
 
     def __neg__(self) -> Interval:
@@ -110,7 +110,7 @@ class Interval:
         return found.narrowed(invert, self.form, low, high) if self.form else found
 
     def size(self) -> Interval:
-        """Return the absolute values."""
+        """Return the moduli."""
         if self.sign:
             return self if self.sign > 0 else -self
         low = np.maximum(np.maximum(self.low, -self.high), 0.0)
@@ -121,7 +121,7 @@ class Interval:
         return found.narrowed(LinearForm.__mul__, self.form, LinearForm(sign, {}, 0.0))
 
     def largest(self) -> Ends:
-        """Return the largest absolute value."""
+        """Return the largest modulus."""
         return np.maximum(-self.low, self.high)
 
     def union(self, other: Interval) -> Interval:
@@ -144,7 +144,7 @@ class Interval:
         """Return a whole power."""
         if exponent < 0:
             return self.power(-exponent).inverted()
-        # Multiplied with itself, an interval could give an even power negative ends.
+        # Multiplied by itself, an interval could give an even power negative ends.
         base = self.size() if exponent % 2 == 0 else self
         found = Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
         if self.form is None or exponent == 0:
@@ -154,16 +154,16 @@ class Interval:
         return self if exponent == 1 else found.narrowed(_raise_form, self.form, exponent)
 
     def sqrt(self) -> Interval:
-        """Return the roots."""
+        """Return the square roots."""
         found = widen(np.sqrt(self.low), np.sqrt(self.high))
         return found.narrowed(take_root, self.form, self.low, self.high) if self.form else found
 
     def follow(
         self, z: Interval, values: tuple[Interval, Interval], slopes: Interval, bend: Ends
     ) -> Interval:
-        """Narrow what a function of `z` is, from its values at both ends and its slopes.
+        """Narrow the values of a function of `z`, given its values at both ends and its slopes.
 
-        Where it is convex, `bend` is 1, where concave, -1.
+        `bend` is 1 where it is convex, -1 where it is concave.
         """
         if z.form is None:
             return self
@@ -190,7 +190,7 @@ def _raise_form(form: LinearForm, exponent: int) -> LinearForm:
 
 
 def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:
-    """Return the ends whose products are the smallest and the largest, if signs tell them."""
+    """Return the pairs of ends with the least and the largest product, or None without signs."""
     sign, other = a.sign, b.sign
     if not (sign and other):
         return None
@@ -215,7 +215,7 @@ def _multiply(a: Interval, b: Interval) -> Interval:
             np.minimum(one.low * other.low, one.high * other.low),
             np.maximum(one.low * other.high, one.high * other.high),
         )
-    # Minimum and maximum pass NaN on, so that what is not finite stays so.
+    # Minimum and maximum pass NaN on, so that non-finite values stay non-finite.
     p, q, r, s = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
     return widen(
         np.minimum(np.minimum(p, q), np.minimum(r, s)),
@@ -244,7 +244,7 @@ def widen(low: Ends, high: Ends, sign: int | None = None) -> Interval:
         low = np.where(np.abs(low) < SMALLEST, np.minimum(np.sign(low), 0.0) * SMALLEST, low)
         high = np.where(np.abs(high) < SMALLEST, np.maximum(np.sign(high), 0.0) * SMALLEST, high)
     if sign:
-        # One factor moves each end outward, and no absolute values are taken.
+        # One factor moves each end outward, and no moduli are taken.
         outward = sign * OUTWARD
         return Interval(low * (1 - outward), high * (1 + outward), sign)
     return Interval(low - np.abs(low) * OUTWARD, high + np.abs(high) * OUTWARD)
@@ -262,20 +262,20 @@ def around(middle: float, reach: Ends) -> Interval:
 
 
 def enclose_ball(ball: Any) -> Interval:
-    """Return an interval that holds a ball of flint's."""
+    """Return an interval that contains a ball of flint's."""
     return widen(np.float64(float(ball.lower())), np.float64(float(ball.upper())))
 
 
 def between(low: Ends, high: Ends) -> Interval:
-    """Return an interval between doubles; not finite for an endless one."""
+    """Return an interval between doubles; not finite if it is infinite."""
     endless = ~np.isfinite(high - low)
     return Interval(np.where(endless, np.nan, low), np.where(endless, np.nan, high))
 
 
 def list_spans(boxes: Array, *, has_forms: bool = False) -> list[Interval]:
-    """Return the interval of each side, in many boxes at once, shape (boxes, sides, 2).
+    """Return the interval of each side, for many boxes at once, shape (boxes, sides, 2).
 
-    If it `has_forms`, sides with ends have linear forms.
+    With `has_forms`, sides that are finite in all boxes have linear forms.
     """
     spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
     for side, span in enumerate(spans):

@@ -1,8 +1,8 @@
-"""Layouts: in, an expression of SymPy; out, its steps on slots, to be run in an arithmetic.
+"""Layouts: an expression of SymPy -> its steps on slots, to be run in an arithmetic.
 
-Equal parts share a slot, and a symbol that others give is its definition: nothing is written out.
-Such lists are the tapes of automatic differentiation (Griewank and Walther 2008), here of balls,
-series and slopes alike: what a step does, a plan of the arithmetic says.
+Equal parts share a slot, and a symbol given by others is its definition, so nothing is expanded.
+Such lists are the tapes of automatic differentiation (Griewank and Walther 2008), here for balls,
+series and slopes alike: the arithmetic's plan says what each step does.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Operation = Callable[..., Any]
 Plan = tuple[Operation, tuple[sp.Basic, ...]]
 Given = Mapping[sp.Basic, sp.Basic]
 NOTHING: Given = MappingProxyType({})
-# Nodes with bound symbols or branches, which are one step together with what is in them.
+# Nodes with bound symbols or branches, each of which is one step together with its parts.
 WHOLE = (sp.Sum, sp.Product, sp.Integral, sp.Piecewise, Implicit)
 
 
@@ -56,7 +56,7 @@ class Layout:
         return results
 
     def settle(self, values: Values, keep: Callable[[Any], Any] = lambda value: value) -> None:
-        """Compute once the steps that need no other symbols; `keep` makes of each what is kept."""
+        """Compute once the steps that need only these symbols; store what `keep` makes of each."""
         left = []
         for slot, operation, operands in self._steps:
             if self.needs[slot] <= values.keys():

@@ -1,8 +1,8 @@
-"""Linear forms: what a quantity is along the sides of a box, and how far it may be off that.
+"""Linear forms: a quantity as a linear function along the sides of a box, plus a bounded rest.
 
-Within a box a quantity is a number, plus a multiple of the way from the middle of each side, plus a
-rest. In sums and products the multiples of each side add up before any size is taken, so that what
-stands in several terms is as wide as it is once: the rest is of second order in the sides. It is
+Within a box a quantity is a number, plus a multiple of the distance from the middle of each side,
+plus a rest. In sums and products the multiples for each side add up before any modulus is taken, so
+that a variable in several terms counts only once: the rest is of second order in the sides. This is
 affine arithmetic (de Figueiredo and Stolfi 2004), with all roundings in the rest.
 """
 
@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 Ends = Any
-# More than all roundings of an operation, as a share of the sizes that enter it, for a dozen sides;
+# More than all roundings of an operation, relative to the sizes of its operands, for a dozen sides;
 # and more than what falls below the normal range.
 ROUNDED, UNDERFLOWN = 2.0**-46, 2.0**-1000
 
@@ -33,7 +33,7 @@ class LinearForm:
 
     @cached_property
     def size(self) -> Ends:
-        """Return the largest size that the quantity may have."""
+        """Return the largest modulus that the quantity may have."""
         return np.abs(self.middle) + self.reach
 
     def __neg__(self) -> LinearForm:
@@ -53,12 +53,12 @@ class LinearForm:
         return LinearForm(one * two + shift, changes, rest + self._round(other))
 
     def _bend(self, other: LinearForm) -> tuple[Ends, Ends]:
-        """Return the middle of the product of both changes, and how far it may be from there."""
+        """Return the middle of the product of both changes, and its largest distance from there."""
         shift = rest = np.float64(0.0)
         before: list[tuple[Ends, Ends]] = []
         for side in {**self.changes, **other.changes}:
             one, two = self.changes.get(side, 0.0), other.changes.get(side, 0.0)
-            # The way along one side, squared, is between nothing and all of it.
+            # The square of a position along one side, from -1 to 1, lies between 0 and 1.
             half = one * two / 2
             shift, rest = shift + half, rest + np.abs(half)
             rest = sum((np.abs(one * b + two * a) for a, b in before), rest)
@@ -66,7 +66,7 @@ class LinearForm:
         return shift, rest
 
     def square(self) -> LinearForm:
-        """Return the square: that of the way from the middle is between zero and its largest."""
+        """Return the square; that of the change lies between zero and the square of `reach`."""
         half, middle = self.reach * self.reach / 2, self.middle
         rest = 2 * np.abs(middle) * self.rest + half + self._round(self)
         return LinearForm(middle * middle + half, _scale(self.changes, 2 * middle), rest)
@@ -75,7 +75,7 @@ class LinearForm:
         return ROUNDED * (self.size * other.size) + UNDERFLOWN
 
     def scaled(self, factor: Ends, low: Ends, high: Ends) -> LinearForm:
-        """Return a multiple of the quantity and what lies between two ends besides."""
+        """Return a multiple of the quantity plus a term between two ends."""
         slack = ROUNDED * np.maximum(np.abs(low), np.abs(high)) + UNDERFLOWN
         return self * LinearForm(factor, {}, 0.0) + state(low - slack, high + slack)
 
@@ -92,13 +92,13 @@ def _join(one: Mapping[int, Ends], other: Mapping[int, Ends]) -> dict[int, Ends]
 
 
 def state(low: Ends, high: Ends) -> LinearForm:
-    """Return the form of a quantity of which only its ends are known."""
+    """Return the form of a quantity of which only the ends are known."""
     middle = low / 2 + high / 2
     return LinearForm(middle, {}, np.maximum(high - middle, middle - low) * (1 + ROUNDED))
 
 
 def along(side: int, low: Ends, high: Ends) -> LinearForm:
-    """Return the form of the place along a side of a box."""
+    """Return the form of the position along a side of a box."""
     ends = state(low, high)
     return LinearForm(ends.middle, {side: ends.rest}, np.zeros_like(ends.rest))
 

@@ -1,9 +1,9 @@
-"""Polynomials by flint: their normal form, their factors, and what quotients have in common.
+"""Polynomials by flint: their normal form, their factors, and the cancelling of quotients.
 
-In the normal form every related generator is below the power that is related. The relations
-r**n = f are a Groebner basis as they stand, their leading powers having no factor in common
-(Buchberger's first criterion), so that putting them in gives the one normal form there is.
-SymPy's expressions go to flint's sparse polynomials over the rationals, and back where asked for.
+In the normal form every related generator is below the power given by its relation. The relations
+r**n = f are a Groebner basis already, as their leading powers have no common factor (Buchberger's
+first criterion), so that substituting them gives the unique normal form. SymPy's expressions are
+converted to flint's sparse polynomials over the rationals, and back where needed.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from mechproof.record.parts import find_free, find_parts, replace_parts
 
 
 def reduce_polynomial(polynomial: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> sp.Expr:
-    """Return the normal form by what powers of generators are, which may hold those before.
+    """Return the normal form modulo relations, each of which may contain earlier generators.
 
-    Raises `sympy.PolynomialError` for what is no polynomial in symbols over the rationals.
+    Raises `sympy.PolynomialError` for an expression that is no polynomial over the rationals.
     """
     ring = _Ring(polynomial, relations=relations)
     return ring.write(ring.lower_all(ring.read(polynomial)))
@@ -41,9 +41,9 @@ def expand(polynomial: sp.Expr) -> sp.Expr:
 
 
 def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
-    """Tell whether a quotient's normal form is zero over a denominator that is not.
+    """Return whether a quotient's normal form is zero over a denominator that is not.
 
-    Raises `sympy.PolynomialError` for what is no quotient of polynomials.
+    Raises `sympy.PolynomialError` for an expression that is no quotient of polynomials.
     """
     ring = _Ring(quotient, relations=relations)
     above, below = (ring.lower_all(part) for part in ring.read_quotient(quotient))
@@ -53,14 +53,14 @@ def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
 # Roots and signs of one proof, and proofs of one paper, have polynomials in common.
 @lru_cache(maxsize=1024)
 def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
-    """Factor as SymPy's function of that name: in its order and with its signs, but sooner.
+    """Factor like SymPy's `factor_list`, in its order and with its signs, but faster.
 
-    Functions count as symbols. Raises `sympy.PolynomialError` for what is no polynomial.
+    Functions count as symbols. Raises `sympy.PolynomialError` if it is no polynomial.
     """
     try:
         return _factor_product(polynomial)
     except sp.PolynomialError:
-        # A quotient in it may turn out to be one of numbers, once all is over one denominator.
+        # Over one denominator, it may turn out to have a number as its denominator.
         above, below = sp.together(polynomial).as_numer_denom()
     try:
         number, factors = _factor_product(above)
@@ -109,17 +109,17 @@ def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
 
 
 def _sort_key(item: tuple[sp.Poly, int]) -> tuple[object, ...]:
-    """Return what SymPy sorts factors by."""
+    """Return the key by which SymPy sorts factors."""
     factor, power = item
     written = factor.rep.to_list()
     return len(written), len(factor.gens), power, str(factor.domain), written
 
 
 def cancel(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return numerator and denominator as SymPy's function of that name, but sooner.
+    """Return numerator and denominator like SymPy's `cancel`, but faster.
 
-    Both have integer coefficients and no factor in common; the denominator's leading coefficient
-    is positive. Functions count as symbols. Raises `sympy.PolynomialError` for other quotients.
+    Both have integer coefficients and no common factor; the denominator's leading coefficient is
+    positive. Functions count as symbols. Raises `sympy.PolynomialError` for other quotients.
     """
     ring = _Ring(quotient, functions=True)
     try:
@@ -139,7 +139,7 @@ def cancel(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def factor(quotient: sp.Expr) -> sp.Expr:
-    """Cancel and factor a quotient, as SymPy's functions of those names one after the other."""
+    """Cancel and factor a quotient, like SymPy's functions of those names one after the other."""
     (left, above), (right, below) = map(factor_list, cancel(quotient))
     product = sp.Mul(*(f**n for f, n in above), *(f**-n for f, n in below))
     # The number stays in front: SymPy would multiply it into a sum.
@@ -147,7 +147,7 @@ def factor(quotient: sp.Expr) -> sp.Expr:
 
 
 def _take_content(value: fmpq_mpoly) -> tuple[sp.Rational, fmpq_mpoly]:
-    """Return a polynomial as a positive number times one of coprime integers."""
+    """Return a polynomial as a positive number and a polynomial with coprime integers."""
     coefficients = value.coeffs()
     content = sp.Rational(
         gcd(*(int(c.p) for c in coefficients)), lcm(*(int(c.q) for c in coefficients))
@@ -156,7 +156,7 @@ def _take_content(value: fmpq_mpoly) -> tuple[sp.Rational, fmpq_mpoly]:
 
 
 def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return numerator and denominator over the least common one; roots stay as they are."""
+    """Return a quotient's numerator and least common denominator; roots stay as they are."""
     if parts := read_parts(quotient):
         return parts[0].write(), parts[1].write()
     above, below = sp.fraction(sp.together(quotient))
@@ -171,12 +171,12 @@ class Polynomial:
         self._ring, self._value = ring, value
 
     def list_terms(self) -> list[tuple[tuple[int, ...], fmpq]]:
-        """List the powers of the variables and the number of each term."""
+        """List each term's powers of the variables and its coefficient."""
         count = len(self.variables)
         return [(powers[:count], number) for powers, number in self._value.to_dict().items()]
 
     def evaluate(self, point: Sequence[sp.Rational]) -> fmpq:
-        """Return the value at a point of as many numbers as there are variables."""
+        """Return the value at a point, given one number for each variable."""
         return self._value(*(fmpq(int(number.p), int(number.q)) for number in point))
 
     def write(self) -> sp.Expr:
@@ -185,9 +185,9 @@ class Polynomial:
 
 
 def read_parts(quotient: sp.Expr) -> tuple[Polynomial, Polynomial] | None:
-    """Return numerator and denominator over the least common one, None for other quotients."""
+    """Return numerator and least common denominator as polynomials, or None for other quotients."""
     if quotient.has(sp.pi):
-        # SymPy cancels factors beside pi that the ring would keep, such as tangents times cosines.
+        # SymPy cancels factors next to pi that the ring would keep, such as tangents times cosines.
         return None
     roots = {p: sp.Dummy("root") for p in find_parts(quotient, sp.Pow) if p.exp == sp.S.Half}
     named = replace_parts(quotient, roots | {p**-1: r**-1 for p, r in roots.items()})
@@ -201,7 +201,7 @@ def read_parts(quotient: sp.Expr) -> tuple[Polynomial, Polynomial] | None:
 
 
 class _Ring:
-    """The polynomials in the symbols of expressions, and in pi, which is no root of any."""
+    """The polynomials in the symbols of expressions, and in pi, which is transcendental."""
 
     def __init__(
         self,
@@ -268,7 +268,7 @@ class _Ring:
         return list(sort_generators(symbol for symbol, degree in degrees if degree))
 
     def to_poly(self, value: fmpq_mpoly, generators: list[sp.Expr]) -> sp.Poly:
-        """Return a polynomial of SymPy's in some of the generators."""
+        """Return a polynomial of SymPy's in the given generators."""
         order = [self.symbols.index(s) for s in generators]
         terms = value.to_dict().items()
         return sp.Poly.from_dict(
@@ -285,7 +285,7 @@ class _Ring:
     def lower_all(self, value: fmpq_mpoly) -> fmpq_mpoly:
         """Return the remainder of the division by all relations.
 
-        Later ones come first: they may hold generators of earlier ones.
+        Later ones come first: they may contain generators of earlier ones.
         """
         for power in reversed(self.relations):
             _, value = divmod(value, self.read(power) - self.read(self.relations[power]))
@@ -302,7 +302,7 @@ class _Ring:
 
 
 def _split_power(power: sp.Pow) -> tuple[sp.Expr, int]:
-    """Write a power by an integer one: of its base, or of a root of that."""
+    """Write a power as an integer power: of its base, or of a root of the base."""
     exponent = power.exp
     if exponent.is_Integer:
         return power.base, int(exponent)
@@ -312,7 +312,7 @@ def _split_power(power: sp.Pow) -> tuple[sp.Expr, int]:
 
 
 def _is_root(power: sp.Pow) -> bool:
-    """Accept roots and their reciprocals; SymPy multiplies other fractional powers out."""
+    """Return whether a power is a root or its reciprocal; SymPy splits other fractional powers."""
     return bool(power.exp.is_Rational and abs(power.exp.p) == 1 and power.exp.q > 1)
 
 

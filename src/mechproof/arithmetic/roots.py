@@ -1,6 +1,6 @@
-"""Roots in balls: in, a bracket and what is zero in it; out, an enclosure of the one root there.
+"""Roots in balls: a bracket and an expression -> an enclosure of its only root there.
 
-Parts of the bracket in which the expression is not zero are left out until its derivative has one
+Parts of the bracket in which the expression is nonzero are discarded until its derivative has one
 sign on the rest, which Newton's method for intervals (Moore 1966) then narrows.
 """
 
@@ -28,7 +28,7 @@ MOST_PARTS = 64
 
 @dataclass(frozen=True)
 class Frame:
-    """A root seen from the lower end of its bracket: all by the distance from that end."""
+    """A root seen from the lower end of its bracket, all in terms of the distance from there."""
 
     distance: sp.Symbol
     low: sp.Expr
@@ -41,7 +41,7 @@ class Frame:
 
 @lru_cache(maxsize=64)
 def frame(node: Implicit) -> Frame:
-    """Write a root by the distance from the lower end, where terms of both may cancel."""
+    """Write a root by its distance from the lower end, so that common terms may cancel."""
     low, high = node.ends
     distance = sp.Dummy("distance", real=True)
     moved = substitute(node.function, {node.unknown: low + distance})
@@ -53,19 +53,19 @@ def frame(node: Implicit) -> Frame:
 
 @dataclass(frozen=True)
 class Isolated:
-    """Parts of a bracket outside of which is no root; one if the slope has a sign on it."""
+    """Parts of a bracket that contain all its roots: at most one if the slope has a sign."""
 
     parts: tuple[Ball, ...]
     slope: Ball
 
     @property
     def is_one(self) -> bool:
-        """Say whether there is at most one root."""
+        """Return whether there is at most one root."""
         return len(self.parts) == 1 and has_sign(self.slope)
 
 
 def has_sign(ball: Ball) -> bool:
-    """Tell whether a ball is finite and not zero."""
+    """Return whether a ball is finite and excludes zero."""
     return bool(ball.is_finite() and not ball.contains(0))
 
 
@@ -79,7 +79,7 @@ class Bracketed:
         )
 
     def of(self, place: Ball) -> Ball:
-        """Enclose the expression, whose root is sought, at a distance."""
+        """Enclose the expression whose root is sought, at a distance."""
         return self._at(self._frame.of, place)
 
     def slope(self, place: Ball) -> Ball:
@@ -94,12 +94,12 @@ class Bracketed:
         return self._evaluate(expression, {**self._values, self._frame.distance: place})
 
     def changes_sign(self) -> bool:
-        """Say whether the expression does not have one sign at both ends, where it may be zero."""
+        """Return whether the expression is shown to have opposite signs, or zeros, at the ends."""
         first, last = self.of(arb(0)), self.of(self.width)
         return bool((first <= 0 and last >= 0) or (first >= 0 and last <= 0))
 
     def isolate(self) -> Isolated:
-        """Leave out parts without a root until the slope has one sign on what is left."""
+        """Discard parts without a root until the slope has one sign on the rest, or give up."""
         parts = [arb(0).union(self.width)]
         for _ in range(HALVINGS):
             parts = [part for part in parts if not self._is_nowhere_zero(part)]
@@ -112,14 +112,14 @@ class Bracketed:
         return Isolated(tuple(parts), NOT_FINITE)
 
     def _is_nowhere_zero(self, part: Ball) -> bool:
-        """Test the values over a part, and those expanded about its middle, where less cancels."""
+        """Check the values over a part, also expanded about its middle, where less cancels."""
         if has_sign(self.of(part)):
             return True
         middle = arb(part.mid())
         return has_sign(self.of(middle) + self.slope(part) * (part - middle))
 
     def narrow(self, isolated: Isolated) -> Ball:
-        """Return the root that is known to lie in the one part, as closely as it is known."""
+        """Return as narrow an enclosure as possible of the root known to lie in the only part."""
         (place,), slope = isolated.parts, isolated.slope
         for _ in range(_NARROWINGS):
             middle = arb(place.mid())
@@ -142,7 +142,7 @@ def _halve(part: Ball) -> tuple[Ball, Ball]:
 
 
 def enclose_root(node: Implicit, values: Values, evaluate: Evaluate) -> Ball:
-    """Enclose the one root in the bracket; not finite where it is not shown that there is one."""
+    """Enclose the only root in the bracket; not finite unless exactly one is shown to exist."""
     if any(isinstance(value, acb) for value in values.values()):
         return NOT_ANALYTIC
     given = Bracketed(frame(node), values, evaluate)
@@ -156,7 +156,7 @@ def enclose_root(node: Implicit, values: Values, evaluate: Evaluate) -> Ball:
 
 
 def enclose_iterate(node: Implicit, values: Values, evaluate: Evaluate) -> Ball:
-    """Enclose where the last of Newton's steps leads."""
+    """Enclose the last of Newton's iterates."""
     if any(isinstance(value, acb) for value in values.values()):
         return NOT_ANALYTIC
     given = Bracketed(frame(node), values, evaluate)

@@ -1,10 +1,10 @@
-"""Series: in, a definition and the range of its variable; out, its Taylor series in balls.
+"""Series: a definition and the range of its variable -> its Taylor series in balls.
 
-The same SymPy expression that the proofs are about, symbols given by others expanded once. Taylor
-coefficients are carried from step to step (Moore 1966; Griewank and Walther 2008, chapter 13), by
-the power series of Arb; those over a whole ball enclose the remainder. What SymPy has by other
-functions is written by those. What is undecided over a ball, as the side of an edge, leaves the
-value enclosed and no derivative.
+It is the same SymPy expression that the proofs are about, with symbols given by others expanded
+once. Taylor coefficients are carried from step to step (Moore 1966; Griewank and Walther 2008,
+chapter 13), by the power series of Arb; those over a whole ball enclose the remainder. Functions
+that SymPy defines by others are rewritten by these. If something is undecided over a ball, such as
+the side of an edge, the value is still enclosed, but no derivative is.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ NAN = arb("nan")
 
 
 def plan_function(node: sp.Basic, own: Rules) -> Plan:
-    """Return what to do at a node and the nodes it needs first; `own` are rules of numbers.
+    """Return the operation of a node and the nodes it needs first; `own` rules take precedence.
 
     Raises `NotImplementedError` naming a function that has no series.
     """
@@ -74,7 +74,7 @@ def apply(method: Callable[..., Any]) -> Operation:
 
 
 def list_sinc(count: int) -> list[sp.Rational]:
-    """List Taylor coefficients of sin(x)/x at zero."""
+    """List the first `count` Taylor coefficients of sin(x)/x at zero."""
     signs = (sp.S.One, sp.S.Zero, -sp.S.One, sp.S.Zero)
     return [signs[k % 4] / sp.factorial(k + 1) for k in range(count)]
 
@@ -91,12 +91,12 @@ def working(order: int, bits: int = BITS) -> Iterator[None]:
 
 
 def _leave_open() -> Series:
-    """Return a series of what is undecided: coefficients that are left out would count as zero."""
+    """Return the series of something undecided: coefficients left out would count as zero."""
     return arb_series([NAN] * ctx.cap)
 
 
 def list_terms(series: Series) -> list[Ball]:
-    """List the coefficients of a series, as many as series have."""
+    """List the coefficients of a series, padded with zeros to the current length."""
     terms: list[Ball] = series.coeffs()
     return terms + [arb(0)] * (ctx.cap - len(terms))
 
@@ -112,7 +112,7 @@ class TaylorExpression:
     ) -> None:
         self._variable = variable
         known = {symbol: value for symbol, value in values.items() if symbol != variable}
-        # Computed once for all expansions, with more bits than the finest of these works with.
+        # Computed once for all expansions, with more bits than the most precise of these.
         with working(1, CONSTANT_BITS):
             inner = {s: e for s, e in given.items() if s not in (variable, *values)}
             self._layout = Layout(expression, plan, inner, whole=())
@@ -123,11 +123,11 @@ class TaylorExpression:
 
     @property
     def is_moving(self) -> bool:
-        """Say whether the variable is in the expression."""
+        """Return whether the expression contains the variable."""
         return self._variable in self._layout.needs[-1]
 
     def expand(self, place: Series) -> Series:
-        """Return the series where the variable is a series itself."""
+        """Return the series at a variable that is itself a series."""
         return self._layout.run({self._variable: place})[-1]
 
     def value(self, place: Any = 0) -> Ball:
@@ -137,7 +137,7 @@ class TaylorExpression:
 
 
 def _lengthen(value: Any) -> Any:
-    """Return a number as a series of any length; leave a decided truth value as it is."""
+    """Return a number as a series of any length; leave a decided truth value unchanged."""
     if not isinstance(value, arb_series):
         return value
     with working(1):
@@ -147,7 +147,7 @@ def _lengthen(value: Any) -> Any:
 
 
 def plan(node: sp.Basic) -> Plan:
-    """Return what to do at a node and the nodes it needs first."""
+    """Return the operation of a node and the nodes that it needs first."""
     if isinstance(node, sp.Symbol):
         return (lambda values: values[node]), ()
     if isinstance(node, sp.Number | sp.NumberSymbol):
@@ -179,7 +179,7 @@ def _multiply(a: Series, b: Series) -> Series:
 
 
 def _raise(base: Series, exponent: Series) -> Series:
-    """Raise to whole and half powers by products; a positive base also to other powers."""
+    """Raise to whole and half powers by products, and a positive base to other powers by ln."""
     if not list_terms(base)[0].is_finite():
         return _leave_open()
     halves = (2 * list_terms(exponent)[0]).unique_fmpz() if _is_exact(exponent) else None
@@ -191,7 +191,7 @@ def _raise(base: Series, exponent: Series) -> Series:
 
 
 def _is_exact(series: Series) -> bool:
-    """Say whether a series is a number without a radius."""
+    """Return whether a series is a number without a radius."""
     return series.length() <= 1 and all(term.is_exact() for term in series.coeffs())
 
 
@@ -206,7 +206,7 @@ def _raise_whole(base: Series, exponent: int) -> Series:
 
 
 def _hold(kind: type[sp.Basic]) -> Callable[..., Series]:
-    """Return a function of steps: where it is one number, it has no slope."""
+    """Return a step function on series: where its value is one number, its slope is zero."""
 
     def hold(*operands: Series) -> Series:
         value = FUNCTIONS[kind](*(list_terms(operand)[0] for operand in operands))
@@ -226,7 +226,7 @@ def _sinc(a: Series) -> Series:
 
 
 def _expand_sinc(place: Ball) -> list[Ball]:
-    """List the terms about a place: as a quotient, or those about zero if these change less.
+    """List the terms about a place: as a quotient, or those about zero, whichever are narrower.
 
     The derivative of order n is the integral of s**n times that of the cosine, for s from 0 to 1.
     """
@@ -279,5 +279,5 @@ _RULES: Rules = MappingProxyType(
 
 
 def is_finite(terms: Sequence[Ball]) -> bool:
-    """Say whether all coefficients are finite."""
+    """Return whether all coefficients are finite."""
     return all(term.is_finite() for term in terms)

@@ -1,9 +1,9 @@
-"""Slopes: an expression over a box of its symbols, its values and all its slopes enclosed.
+"""Slopes: enclosures of an expression's values and of all its slopes over a box of its symbols.
 
-The slopes come from one run backwards through the layout, whatever their number: reverse mode of
-automatic differentiation (Griewank and Walther 2008) in balls, as in the mean value forms of
-Moore (1966); what differs is that a kink gives the slopes of both of its sides. Nothing is
-differentiated but single functions.
+All slopes come from a single backward run through the layout: reverse mode of automatic
+differentiation (Griewank and Walther 2008) in balls, as in the mean value forms of Moore (1966),
+except that a kink gives the slopes of both its sides. Only single functions are differentiated
+symbolically.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from mechproof.arithmetic.ball_evaluation import compile_expression, plan as pla
 from mechproof.arithmetic.balls import NOT_FINITE, working_precision
 from mechproof.arithmetic.layout import WHOLE, Given, Layout, Plan, Values
 
-# Precision, in bits, beyond that of doubles: slopes are to be wide because of boxes, not of
+# Precision in bits, more than that of doubles: the width of slopes should come from boxes, not from
 # rounding.
 BITS = 96
 Balls = list[Any]
-# The partial derivatives of functions with a kink, on the one side and on the other.
+# The partial derivatives of functions with a kink, on one side of it and on the other.
 SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
     sp.Max: ((1, 0), (0, 1)),
     sp.Min: ((0, 1), (1, 0)),
@@ -38,7 +38,7 @@ ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.M
 
 @dataclass(frozen=True, eq=False)
 class Dual:
-    """A ball and that of its derivative (Clifford 1873); a plain ball beside it is constant."""
+    """A ball and that of its derivative (Clifford 1873); plain balls in sums count as constants."""
 
     value: Any
     rate: Any
@@ -56,12 +56,12 @@ class Dual:
 
 
 def split(ball: Any) -> tuple[Any, Any]:
-    """Return the value and its rate."""
+    """Return a ball's value and its rate, 0 for a plain ball."""
     return (ball.value, ball.rate) if isinstance(ball, Dual) else (ball, 0)
 
 
 class GradientTape:
-    """An expression of symbols, of which some are given by others."""
+    """An expression of symbols, some of which are given by others."""
 
     def __init__(self, expression: sp.Basic, given: Given) -> None:
         self._expression, self._given = expression, given
@@ -70,7 +70,7 @@ class GradientTape:
             self._layout.settle({})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Send the expression: operations cannot be sent."""
+        """Pickle the expression, as operations cannot be pickled."""
         return GradientTape, (self._expression, dict(self._given))
 
     @property
@@ -87,7 +87,7 @@ class GradientTape:
         )
 
     def evaluate(self, values: Values) -> Any:
-        """Return a ball that holds all values of the expression."""
+        """Return a ball that contains all values of the expression."""
         with working_precision(BITS):
             return self._layout.run(values)[-1]
 
@@ -96,9 +96,9 @@ class GradientTape:
     ) -> tuple[Any, dict[sp.Basic, Balls]]:
         """Return a ball of all values and, for each symbol, the slopes.
 
-        At a kink that lies in the box the slope may be anything between those of both sides: by
-        the mean value theorem of Lipschitz functions the slope between two points lies in the
-        hull of the returned ones.
+        At a kink inside the box the slope may be anything between those of both sides: by the mean
+        value theorem for Lipschitz functions the slope between two points lies in the hull of the
+        returned ones.
         """
         with working_precision(BITS):
             balls = self._layout.run(values)
@@ -154,14 +154,14 @@ class GradientTape:
 
 
 def _find_side(given: Balls) -> int | None:
-    """Return which operand is the greater one (of one: whether it is negative), if shown."""
+    """Return the index of the greater operand, if shown; for one operand, 1 if it is negative."""
     first, *others = (split(ball)[0] for ball in given)
     difference = first - others[0] if others else first
     return 0 if difference > 0 else 1 if difference < 0 else None
 
 
 def _plan(node: sp.Basic) -> Plan:
-    """Return how to run a node in balls with rates; kinks and bound symbols have their own ways."""
+    """Return how to run a node in balls with rates; kinks and bound symbols are special."""
     if isinstance(node, sp.Symbol | sp.Indexed):
         return (lambda values: values[node]), ()
     if type(node) in SIDES:
@@ -196,7 +196,7 @@ def _call(node: sp.Basic, given: Balls) -> Any:
 
 
 def _enclose(expression: sp.Basic, dummies: tuple[sp.Basic, ...], given: Balls) -> Any:
-    """Enclose an expression of dummies, and the rate of it where they have one."""
+    """Enclose an expression of dummies, and its rate if any of them has one."""
     balls, rates = zip(*map(split, given), strict=True)
     value = compile_expression(expression)(dict(zip(dummies, balls, strict=True)))
     if not any(isinstance(ball, Dual) for ball in given):
@@ -208,7 +208,7 @@ def _enclose(expression: sp.Basic, dummies: tuple[sp.Basic, ...], given: Balls) 
 
 
 def _differentiate(node: sp.Basic, given: Balls, moved: list[bool]) -> Balls:
-    """Return by which factor the value moves with each operand; 0 for those that stand still."""
+    """Return a node's slope by each operand, or 0 for operands that are not to move."""
     if isinstance(node, sp.Add):
         return [1] * len(given)
     if isinstance(node, sp.Mul):
@@ -219,8 +219,8 @@ def _differentiate(node: sp.Basic, given: Balls, moved: list[bool]) -> Balls:
 
 
 def _leave_one_out(factors: Balls) -> Balls:
-    """Return the products of all factors but one."""
-    # Not by division of the product by each factor, as its ball may hold zero.
+    """Return, for each factor, the product of all others."""
+    # Not by division of the product by each factor, as its ball may contain zero.
     before = itertools.accumulate(factors[:-1], operator.mul, initial=1)
     after = [*itertools.accumulate(reversed(factors[1:]), operator.mul, initial=1)]
     return [a * b for a, b in zip(before, reversed(after), strict=True)]
@@ -232,7 +232,7 @@ def _describe(
 ) -> tuple[sp.Basic, tuple[sp.Basic, ...], tuple[sp.Basic, ...]]:
     """Return a node in dummies, the dummies, and the varying parts that these stand for.
 
-    For nodes with bound symbols these are its free symbols, and the ends of a sum apart.
+    For nodes with bound symbols these are the free symbols, and separately the ends of a sum.
     """
     if isinstance(node, WHOLE):
         return _describe_whole(node)
