@@ -1,8 +1,8 @@
 """Physical dimensions of an expression, and the change of units that shows a mixture.
 
-The dimension of each subexpression is inferred, as types of units are in programs (Kennedy 1996);
-where terms of unlike dimension are added, the witness is a change of a unit after which the two
-sides no longer scale alike.
+The dimension of each subexpression is inferred, like types of units in programs (Kennedy 1996); if
+terms of unlike dimension are added, the witness is a change of a unit after which the two sides no
+longer scale alike.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class DimensionError(ValueError):
 
 
 class _OfPaper(dict[sp.Basic, Dimension]):
-    """The dimensions of the symbols of a paper, and what was inferred by these alone."""
+    """The dimensions of a paper's symbols, and those inferred from these alone."""
 
     def __init__(self, known: Dimensions) -> None:
         super().__init__(known)
@@ -46,9 +46,9 @@ def dimensions_of(paper: Paper) -> Dimensions:
 
 
 def check_derived(paper: Paper) -> None:
-    """Raise `RecordError` for a derived value that is not of the dimension of its symbol.
+    """Raise `RecordError` for a derived value whose dimension differs from its symbol's.
 
-    The dimensions of undeclared letters, which have to be gone in the end, are not known.
+    Values with undeclared letters, whose dimensions are not known, are not checked.
     """
     known = dimensions_of(paper)
     derived = [(row.number, row.derived) for row in paper.rows]
@@ -73,7 +73,7 @@ def is_angle(sides: tuple[sp.Basic, ...], known: Dimensions) -> bool:
 
 
 def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
-    """Return the dimension, None for zero (which has every dimension).
+    """Return the dimension, or None for zero (which has every dimension).
 
     Raises `DimensionError` naming the terms that do not fit.
     """
@@ -126,7 +126,7 @@ def _infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
 
 
 def infer_common(sides: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
-    """Return the dimension of the sides of a statement, of matrices entry by entry."""
+    """Return the dimension of the sides of a statement, for matrices entry by entry."""
     if any(getattr(side, "is_Matrix", False) for side in sides):
         shown = (s.as_explicit() if isinstance(s, sp.MatrixExpr) else s for s in sides)
         entries = zip(*(s if s.is_Matrix else repeat(s) for s in shown), strict=False)
@@ -162,9 +162,9 @@ def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
 
 
 def _as_terms(one: sp.Basic, of_one: Dimension, other: sp.Basic, of_other: Dimension) -> Dimension:
-    """Return the dimension of two terms: a constant among angles is one, a sine is none.
+    """Return the dimension of a sum: a constant added to an angle is an angle, a sine is not.
 
-    Where sizes have been put in, what is left of a length may be such a mixture.
+    Once sizes have been put in, the rest of a length may be such a mixture.
     """
     if of_one.angle == of_other.angle or other.is_number:
         return of_one
@@ -211,7 +211,7 @@ def _of_root(node: Implicit, known: Dimensions) -> Dimension | None:
 
 
 def _of_limit(node: sp.Limit, known: Dimensions) -> Dimension | None:
-    """Return the dimension of a limit whose letter has one of those that are known.
+    """Return the dimension of a limit, trying known dimensions for its letter.
 
     The letter may tend to zero, which has every dimension.
     """

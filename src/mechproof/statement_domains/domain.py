@@ -1,7 +1,7 @@
 """Where a statement is meant to hold, and exact points inside it.
 
-The points are those of Halton's sequence (1960), of rational numbers and the same each time: any
-number of them is spread evenly, which random ones are not.
+The points are those of Halton's sequence (1960), rational and the same each time: any number of
+them is spread evenly, which random points are not.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _SETTING = str.maketrans("", "", "\\{} ")
 class Domain:
     """Sets of the free symbols, relations between them, and symbols given by others.
 
-    `published` and `usual` sizes and `dimensions` decide nothing: they say at which points a
+    `published` and `usual` sizes and `dimensions` decide nothing: they only say at which points a
     difference is looked for first, and how it is shown.
     """
 
@@ -78,7 +78,7 @@ class Domain:
     @classmethod
     @remember_last(64)
     def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
-        """Build the domain of a paper, set anew by a part and narrowed to what lies `inside`.
+        """Build the domain of a paper, with sets replaced by `on` and narrowed to `inside`.
 
         Raises `RecordError` for sets, assumptions and relations that cannot be meant.
         """
@@ -115,7 +115,7 @@ class Domain:
         return self.within.get(base, sp.S.Reals)
 
     def with_set(self, symbol: sp.Basic, values: sp.Set) -> Domain:
-        """Return the domain on which a symbol of no relation has this set."""
+        """Return the domain in which a symbol has this set, and no relations."""
         where = tuple(relation for relation in self.where if symbol not in relation.free_symbols)
         return replace(self, within={**self.within, symbol: values}, where=where)
 
@@ -134,7 +134,7 @@ class Domain:
     ) -> list[Point]:
         """Return `count` exact interior points, then the corners of closed finite ends.
 
-        `fixed` values are taken over. Raises `RecordError` if no point is found.
+        All points have the `fixed` values. Raises `RecordError` if no point is found.
         """
         return [*_find_points(self, frozenset(symbols), count, tuple(fixed.items()))]
 
@@ -163,7 +163,7 @@ class Domain:
     def _complete(
         self, points: Iterable[Point], relations: list[sp.Basic], fixed: Values
     ) -> Iterator[Point]:
-        """Yield those of the points that all relations allow, with the fixed values."""
+        """Yield the points that satisfy all relations, with tied elements and the fixed values."""
         free = [relation for relation in relations if relation.args[0] not in fixed]
         tied = (_tie(free, {**fixed, **point}) for point in points)
         return (point for point in tied if _allowed(relations, point))
@@ -183,9 +183,9 @@ class Domain:
     def points_at(
         self, sizes: Values, symbols: list[sp.Basic], fixed: Values = _NO_VALUES
     ) -> Iterator[Point]:
-        """Yield points at sizes and round angles; what is neither is any value inside.
+        """Yield points at sizes and round angles; all other symbols get values inside their sets.
 
-        Nothing comes of sizes that the domain does not allow, and where nothing is known.
+        Nothing is yielded if the domain excludes the sizes, or if there are no sizes and no angles.
         """
         names, _ = self._connect(set(symbols) | fixed.keys(), fixed)
         known = {s: value for s, value in sizes.items() if s in names}
@@ -197,7 +197,7 @@ class Domain:
                     yield from self.points(symbols, _EACH, {**fixed, **known, **angles})[:_EACH]
 
     def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
-        """Yield different round angles for the angles among the symbols; nothing if none is one."""
+        """Yield different round angles for the angles among the symbols, {} if there are none."""
         free = sorted((s for s in symbols if self.dimension_of(s).is_angle), key=str)
         inside = {s: [a for a in _ROUND_ANGLES if contains(self.set_of(s), a)] for s in free}
         allowed = [(s, values) for s, values in inside.items() if values]
@@ -210,9 +210,9 @@ class Domain:
         return self.dimensions.get(base, NUMBER)
 
     def _connect(self, names: set[sp.Basic], fixed: Values) -> tuple[set[sp.Basic], list[sp.Basic]]:
-        """Add the symbols that relations tie to the names, through others too, and the relations.
+        """Return the names with all symbols that relations tie to them, and these relations.
 
-        Relations of families are taken for the elements whose numbers are among the names.
+        Relations of families are taken for the elements whose indices are among the names.
         """
         indices = {k for s in names if isinstance(s, sp.Indexed) for k in s.indices}
         numbers = sorted(indices, key=sp.default_sort_key)
@@ -232,9 +232,9 @@ class Domain:
             }
 
     def special_points(self, inside: Point, landmarks: Sequence[sp.Expr] = ()) -> list[Point]:
-        """Return points that differ from one inside by zero, one, fractions of a turn, ends.
+        """Return points that differ from an inner one by zero, one, fractions of a turn, or ends.
 
-        With landmarks also by these, one symbol at a time, counts included.
+        With landmarks, also by these, one symbol at a time, counts included.
         """
         found = {s: list_special_values(self.set_of(s)) for s in inside if not s.is_integer}
         single = [{**inside, s: value} for s, values in found.items() for value in values]
@@ -268,12 +268,12 @@ class Domain:
                 yield {**inside, **dict(zip(several, corner, strict=True))}
 
 
-# Kept: all entries of a matrix, and all rungs of a proof, ask for the same points.
+# Cached, as all entries of a matrix, and all rungs of a proof, ask for the same points.
 _find_points = lru_cache(maxsize=256)(Domain._find_points)
 
 
 def sizes_of(published: PublishedSizes) -> Point:
-    """Return the published sizes, nominal ones where there are limits."""
+    """Return the published sizes, nominal ones for those with limits."""
     return {
         symbol: size.nominal if isinstance(size, Toleranced) else sp.sympify(size)
         for symbol, size in published.sizes.items()
@@ -283,7 +283,7 @@ def sizes_of(published: PublishedSizes) -> Point:
 def _make_free(
     symbol: sp.Basic, within: dict[sp.Basic, sp.Set], given: dict[sp.Basic, sp.Expr]
 ) -> None:
-    """Turn x = g(phi, ...) round into phi = h(x, ...), phi being linear in g and unrestricted."""
+    """Turn x = g(phi, ...) into phi = h(x, ...), g being linear in the unrestricted phi."""
     definition = given.pop(symbol)
     for candidate in sorted(definition.free_symbols, key=str):
         slope = sp.diff(definition, candidate)
@@ -305,7 +305,7 @@ def _symbols(relation: sp.Basic) -> frozenset[sp.Basic]:
 
 
 def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterator[sp.Basic]:
-    """Yield a relation for the elements of families with these numbers, any other as it stands."""
+    """Yield a relation for the elements of families with these indices, others unchanged."""
     if not relation.has(sp.Indexed):
         yield relation
         return
@@ -324,12 +324,12 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
 
 @lru_cache(maxsize=512)
 def _write_sums(relation: sp.Basic, fixed: _Pairs) -> sp.Basic:
-    """Write the sums of a relation out; those of a domain are met at every point of every row."""
+    """Write out a relation's sums, cached, as every point of every row needs those of a domain."""
     return relation.subs(fixed).doit()
 
 
 def _plain(symbol: sp.Basic) -> str:
-    """Return a name without what sets it: how a letter is set tells no values."""
+    """Return a name without its typesetting, which must not affect values."""
     return str(symbol).translate(_SETTING)
 
 

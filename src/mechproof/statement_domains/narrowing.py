@@ -1,9 +1,9 @@
-"""Search for points of narrow domains: each value that is chosen narrows what the others may be.
+"""Search for points of narrow domains: each chosen value narrows the ranges of the others.
 
-Relations that are linear narrow the range of each symbol by those of the others, the propagation of
+Linear relations narrow the range of each symbol by those of the others, as in the propagation of
 bounds in constraint programming (Davis 1987); where only one symbol of a relation is left, so do
-the roots of a polynomial. What is found is a proposal: whether all relations hold there is for the
-caller to decide.
+the roots of a polynomial. The results are proposals: the caller has to decide whether all relations
+hold there.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _STARTS = 24
 
 @dataclass(frozen=True)
 class _Range:
-    """The least and the largest number that a symbol can still be, and whether it can be these."""
+    """The least and the largest value left for a symbol, and whether these are excluded."""
 
     low: sp.Expr
     high: sp.Expr
@@ -62,7 +62,7 @@ Ranges = dict[sp.Basic, _Range]
 
 @dataclass(frozen=True)
 class _Gap:
-    """What a relation says is positive, or not negative; its factors if it is linear."""
+    """The number that a relation makes positive, or non-negative; its factors if it is linear."""
 
     size: sp.Expr
     strict: bool
@@ -73,7 +73,7 @@ class _Gap:
 def search(
     sets: Mapping[sp.Basic, sp.Set], relations: Sequence[sp.Basic], fixed: Values, wanted: int
 ) -> Iterator[dict[sp.Basic, sp.Expr]]:
-    """Yield points that may lie in the domain, each symbol chosen first in its turn."""
+    """Yield points that may lie in the domain; each symbol in turn is chosen first."""
     gaps = [gap for relation in relations for gap in _list_gaps(relation)]
     names = sorted(sets.keys() - fixed.keys(), key=str)
     start = _narrow({**_ranges(sets), **_ranges(_single(fixed))}, gaps)
@@ -93,7 +93,7 @@ def leaves_values(
 ) -> bool:
     """Return whether narrowing leaves values for each symbol once some are chosen.
 
-    What it takes away is excluded by exact numbers: without values left the domain is empty.
+    Values are removed by exact arithmetic: if none are left, the domain is empty.
     """
     gaps = [gap for relation in relations for gap in _list_gaps(relation)]
     return _narrow({**_ranges(sets), **_ranges(_single(chosen))}, gaps) is not None
@@ -158,7 +158,7 @@ def _take_apart(size: sp.Expr, strict: bool) -> _Gap:
 def _narrow(
     ranges: Ranges, gaps: Sequence[_Gap], first: Sequence[_Gap] | None = None
 ) -> Ranges | None:
-    """Return what linear relations leave of the ranges; None where one is empty."""
+    """Return the ranges narrowed by linear relations, or None if one becomes empty."""
     waiting = list(gaps if first is None else first)
     for _ in range(_ROUNDS * len(gaps)):
         if not waiting:
@@ -177,7 +177,7 @@ def _narrow(
 
 
 def _narrow_by(gap: _Gap, ranges: Ranges) -> Iterator[tuple[sp.Basic, _Range]]:
-    """Yield the ranges that end where the most that the others can be leaves no gap."""
+    """Yield the ranges that a relation cuts off where the others, at their most, leave no gap."""
     for symbol, factor in gap.factors.items():
         others = [(f, ranges[s]) for s, f in gap.factors.items() if s != symbol]
         most = gap.constant + sum(f * (r.high if f > 0 else r.low) for f, r in others)
@@ -191,7 +191,7 @@ def _narrow_by(gap: _Gap, ranges: Ranges) -> Iterator[tuple[sp.Basic, _Range]]:
 
 
 def _where_positive(gap: _Gap, symbol: sp.Basic, point: Values) -> sp.Set:
-    """Return where a polynomial of one symbol is positive, or zero at a fraction."""
+    """Return where a polynomial in one symbol is positive, or zero at a rational number."""
     size = gap.size.xreplace(dict(point))
     polynomial = sp.Poly(size, symbol) if size.is_polynomial(symbol) else None
     if polynomial is None or not all(c.is_Rational for c in polynomial.coeffs()):
@@ -207,6 +207,6 @@ def _where_positive(gap: _Gap, symbol: sp.Basic, point: Values) -> sp.Set:
 
 
 def _part_of(where: sp.Set, step: int) -> sp.Set:
-    """Return one of the parts of a set in its turn."""
+    """Return one of the parts of a set, each in turn."""
     parts = where.args if isinstance(where, sp.Union) else (where,)
     return parts[step % len(parts)]

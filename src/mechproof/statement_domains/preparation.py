@@ -1,4 +1,4 @@
-"""What a proof rewrites first: derivatives get values, factorials are those of one number."""
+"""Rewriting ahead of a proof: conditions are dropped, and related factorials share one number."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _FARTHEST = 20
 
 
 def take_values(expression: Any) -> Any:
-    """Return an expression without what its parts need to have values."""
+    """Return an expression without the conditions for its parts to have values."""
     if not has_parts(expression, ValueWhere):
         return expression
     if isinstance(expression, Relational):
@@ -40,7 +40,7 @@ def prepare(expression: Any) -> Any:
 
 
 def _write_gamma(argument: sp.Expr) -> sp.Expr:
-    """Write the gamma function by that of numbers from 0 to 1 beside letters without a minus."""
+    """Write gamma by gamma of letters, taken without a minus, plus a number from 0 to 1."""
     shift, rest = argument.as_coeff_Add()
     if argument.is_integer:
         return sp.factorial(argument - 1)

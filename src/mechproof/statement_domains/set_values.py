@@ -1,8 +1,7 @@
 """Values of a set: any number of exact ones inside it, its closed ends, the special ones.
 
-And what SymPy is told of a symbol, which may be no more than follows from its set, or from its
-limits: SymPy uses assumptions while an expression is built, so that one too many cannot be taken
-back.
+Also the check of a symbol's assumptions, which must follow from its set, or from its limits: SymPy
+uses assumptions while an expression is built, so that an unjustified one cannot be taken back.
 """
 
 from __future__ import annotations
@@ -26,9 +25,9 @@ _SPECIAL = tuple(
 
 @lru_cache(maxsize=4096)
 def contains(where: sp.Set, value: sp.Expr) -> sp.Basic:
-    """Return what SymPy says; the same special values are asked for at every point of every row."""
+    """Return SymPy's answer, cached: every row asks for the same special values at every point."""
     if isinstance(where, sp.Interval) and value.is_real:
-        # SymPy would put the number for a letter of such a relation.
+        # Otherwise SymPy would take the letter in such a relation for the number.
         return where.as_relational(value)
     return where.contains(value)
 
@@ -53,7 +52,7 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
     return sp.Rational(numerator, denominator)
 
 
-# Kept: the same numbers are placed in the same sets for every row.
+# Cached, as the same numbers are placed in the same sets for every row.
 @lru_cache(maxsize=4096)
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
@@ -78,7 +77,7 @@ def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
 
 
 def _rational(end: sp.Expr, above: bool, scale: int = 1000) -> sp.Rational:
-    """Return an end of an interval, or a rational just inside it where the end is irrational."""
+    """Return an end of an interval, or a rational just inside it if the end is irrational."""
     if end.is_Rational:
         return sp.Rational(end)
     return sp.Rational(int(sp.floor(end * scale)) + int(above), scale)
@@ -116,7 +115,7 @@ def facts_of(where: sp.Set) -> Facts:
 
 
 def find_excess(symbol: Any, facts: Facts) -> list[str]:
-    """Name what SymPy is told of a symbol beyond the facts."""
+    """Name the assumptions of a symbol that go beyond the facts."""
     told = symbol.assumptions0
     return sorted(name for name, value in told.items() if value and not facts.get(name)) + sorted(
         f"not {name}" for name, value in told.items() if not value and facts.get(name) is not False
@@ -124,13 +123,13 @@ def find_excess(symbol: Any, facts: Facts) -> list[str]:
 
 
 def describe_excess(excess: list[str]) -> str:
-    """Return the first few of what `find_excess` found."""
+    """Return the first few results of `find_excess` as text."""
     return ", ".join(excess[:3]) + (", ..." if len(excess) > 3 else "")
 
 
 @cache
 def check_set(symbol: sp.Basic, where: sp.Set) -> None:
-    """Refuse sets without a rule for points, and values that SymPy is told do not occur."""
+    """Refuse sets without a rule for points, and symbols whose assumptions exclude set members."""
     if not (where in COUNTS or isinstance(where, sp.Interval | sp.FiniteSet)):
         raise RecordError(
             f"{symbol} in {where}: allowed are Interval, FiniteSet, Naturals, Integers"
@@ -144,7 +143,7 @@ def check_set(symbol: sp.Basic, where: sp.Set) -> None:
 
 @cache
 def check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
-    """Refuse what SymPy is told of a given symbol and does not know of its definition."""
+    """Refuse assumptions of a given symbol that SymPy does not know of its definition."""
     known = {name: getattr(definition, f"is_{name}") for name in symbol.assumptions0}
     if excess := find_excess(symbol, {**known, **facts_of(sp.S.Reals)}):
         raise RecordError(
@@ -153,7 +152,7 @@ def check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
 
 
 def check_relation(relation: sp.Basic, declared: set[sp.Basic]) -> None:
-    """Refuse symbols that are not declared; those of indices run over all that there are."""
+    """Refuse symbols that are not declared, except indices, which run over all elements."""
     labels = {getattr(symbol, "label", symbol) for symbol in declared}
     entries = relation.atoms(sp.Indexed)
     indices = {s for entry in entries for index in entry.indices for s in index.free_symbols}
