@@ -14,7 +14,7 @@ LONGEST = 200
 
 
 def refuse(name: str, value: object, allowed: str, error: type[Exception] = ValueError) -> NoReturn:
-    """Raise an error "name = value: allowed" on one line; of a long value, only the ends."""
+    """Raise an error "name = value: allowed" on one line, with only the ends of a long value."""
     text = " ".join(repr(value).split())
     if len(text) > LONGEST:
         text = f"{text[: LONGEST // 2]} ... {text[-LONGEST // 2 :]}"

@@ -1,8 +1,7 @@
-"""Comparison: in, boxed programs; out, what other programs bound their rounding errors by.
+"""Comparison: boxed programs -> the bounds on their rounding errors that other tools find.
 
-Each is run where it is installed, on the same steps with the same conventions; nothing of them is
-called but their commands. What every tool takes are names of the steps, the spelling of an
-operation, and a call.
+Each tool is run if it is installed, on the same steps with the same conventions, and only by its
+command. All tools need names of the steps, the spelling of an operation, and a call.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from typing import Any
 from mechproof.programs.operations import Infix, Pattern, Spelling
 from mechproof.roundoff.boxed import BoxedProgram
 
-# Seconds for a call.
+# Time limit of a call, in seconds.
 LIMIT = 600.0
 
 
@@ -26,7 +25,7 @@ def name_all(program: BoxedProgram) -> dict[str, str]:
 
 
 def spell(spelling: Spelling | None, operands: Iterable[str]) -> str:
-    """Return the text of one operation, of operands that need no brackets."""
+    """Return the text of one operation on operands that need no brackets."""
     if isinstance(spelling, Infix):
         return f" {spelling.sign} ".join(operands)
     if isinstance(spelling, Pattern):
@@ -35,7 +34,7 @@ def spell(spelling: Spelling | None, operands: Iterable[str]) -> str:
 
 
 def call(command: Sequence[str], **given: Any) -> CompletedProcess[str] | None:
-    """Return what a tool says; None where it takes too long."""
+    """Return the finished call of a tool, or None if it takes too long."""
     try:
         return subprocess.run(
             command, capture_output=True, text=True, timeout=LIMIT, check=False, **given

@@ -1,8 +1,8 @@
-"""FPTaylor: in, a boxed program; out, a task for it, and the absolute error that it bounds.
+"""FPTaylor: a boxed program -> a task for FPTaylor, and its bound on the absolute error.
 
-FPTaylor (Solovyev et al. 2018) is run with the improved model of rounding and with the whole
-optimisation problem, which is what its authors call configuration b. Functions are off by as many
-ulps as here.
+FPTaylor (Solovyev et al. 2018) is run with the improved rounding model and with the whole
+optimisation problem, which its authors call configuration b. Functions have the same errors in ulps
+as here.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ _NUMBERS = {"#pi": f"{_PI.numerator} / {_PI.denominator}"}
 
 
 def is_installed() -> bool:
-    """Say whether the command is there."""
+    """Return whether the command is installed."""
     return which(COMMAND) is not None
 
 
 def find_bound(program: BoxedProgram) -> float | None:
-    """Return the bound that FPTaylor finds; None where it finds none in time."""
+    """Return the bound that FPTaylor finds, or None if it finds none in time."""
     kinds = {step.kind for step in program.straight.steps}
     if program.convention.relative or not kinds <= _WRITTEN:
         return None
@@ -77,7 +77,7 @@ def _fill(step: Step, names: Mapping[str, str]) -> str:
 def _round(step: Step, text: str) -> str:
     if step.ulps == EXACT:
         return text
-    # FPTaylor takes the error as a multiple of half an ulp.
+    # FPTaylor expects the error as a multiple of half an ulp.
     return f"rnd[64, ne, {step.ulps / HALF:g}]({text})"
 
 

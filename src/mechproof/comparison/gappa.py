@@ -1,8 +1,8 @@
-"""Gappa: in, a boxed program; out, a script, and the bound that Gappa proves.
+"""Gappa: a boxed program -> a script, and the bound that Gappa proves.
 
-Gappa (Daumas and Melquiond 2010) has no bound of sines and their like: such programs are left out.
-Besides the plain script one is run with the box cut into parts, and the better bound is taken. A
-bound that is asked for is proved by Gappa or not.
+Gappa (Daumas and Melquiond 2010) has no bounds for sines and the like: such programs are left out.
+Besides the plain script, one is run with the box cut into parts, and the better bound is taken.
+Gappa can also be asked whether it proves a given bound.
 """
 
 from __future__ import annotations
@@ -20,25 +20,25 @@ from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, EXACT, Step
 
 COMMAND = "gappa"
-# The number of parts into which the sides of the box are cut, all together.
+# The number of parts into which the box is cut, over all its sides together.
 PARTS = 256
 _WRITTEN = frozenset({CONSTANT, *(kind for kind, row in KINDS.items() if row.gappa)})
 _FOUND = re.compile(r" in \[(?:0|[^,\]]*), ([0-9]+)(?:b(-?[0-9]+))?[^\]]*\]")
 
 
 def is_installed() -> bool:
-    """Say whether the command is there."""
+    """Return whether the command is installed."""
     return which(COMMAND) is not None
 
 
 def can_write(program: BoxedProgram) -> bool:
-    """Say whether Gappa has all operations of a program, and an absolute error is meant."""
+    """Return whether Gappa has all operations of a program, and its error is an absolute one."""
     kinds = {step.kind for step in program.straight.steps}
     return not program.convention.relative and kinds <= _WRITTEN
 
 
 def find_bound(program: BoxedProgram) -> float | None:
-    """Return the lowest bound that Gappa finds; None for what it has no bound of."""
+    """Return the lowest bound that Gappa finds, or None if it finds none."""
     if not can_write(program):
         return None
     found = [b for cuts in (1, PARTS) if (b := _run(write_script(program, None, cuts))) is not None]
@@ -46,7 +46,7 @@ def find_bound(program: BoxedProgram) -> float | None:
 
 
 def proves(program: BoxedProgram, bound: float) -> bool:
-    """Say whether Gappa proves a bound, its box cut into parts."""
+    """Return whether Gappa proves a bound with the box cut into parts."""
     return can_write(program) and _call(write_script(program, Fraction(bound), PARTS)) is not None
 
 
@@ -77,7 +77,7 @@ def _exact_names(program: BoxedProgram, names: Mapping[str, str]) -> dict[str, s
 
 
 def _write_steps(program: BoxedProgram, names: Mapping[str, str]) -> Iterator[str]:
-    """Yield each step as it is computed, and without any rounding."""
+    """Yield each step both with its rounding and without any rounding."""
     exact = _exact_names(program, names)
     if not program.convention.rounded_inputs:
         yield from (f"{names[n]} = rnd(x{names[n]});" for n in program.straight.inputs)
@@ -102,7 +102,7 @@ def _find(operand: Operand, names: Mapping[str, str]) -> str:
 
 
 def _write(number: Fraction) -> str:
-    """Write a double as Gappa has it: a whole number times a power of two."""
+    """Write a double in Gappa's syntax, as a whole number times a power of two."""
     return f"{number.numerator}b-{number.denominator.bit_length() - 1}"
 
 
@@ -116,6 +116,6 @@ def _run(script: str) -> float | None:
 
 
 def _call(script: str) -> str | None:
-    """Return what Gappa says; None where it proves nothing or takes too long."""
+    """Return Gappa's output, or None if it proves nothing or takes too long."""
     done = call([COMMAND], input=script)
     return done.stdout + done.stderr if done and done.returncode == 0 else None

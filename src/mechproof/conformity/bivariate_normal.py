@@ -1,6 +1,6 @@
 """The four masses of a rectangle in the plane of two correlated normal variables.
 
-Each corner (h, k) of the plane (`conformity.plane` says what h, k and beta are) has four quadrants.
+Each corner (h, k) of the plane (`conformity.plane` defines h, k and beta) has four quadrants.
 With I(a, b) = 1/(2 pi) times the integral from a to b of
 exp(-(h**2 + k**2 - 2 h k cos x) / (2 sin(x)**2)) dx (Plackett's derivative of the bivariate mass
 with respect to the correlation, x its arc cosine):
@@ -41,7 +41,7 @@ from mechproof.laws.windows import (
 )
 
 UNDERFLOW = 745.0  # exp(-745) is the smallest double
-LOST = 2.0**-60  # a term this small beside another does not change their sum
+LOST = 2.0**-60  # a term this small relative to another does not change their sum
 
 
 class Quadrants(NamedTuple):
@@ -77,9 +77,9 @@ def is_needed(corner: Corner, toward: Any, terms: Any) -> Any:
     """Mark where I(0, beta) of (lower, upper) or (upper, lower) is not lost in sums.
 
     Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of the terms
-    it is added to: quadrants that hold I(0, beta) of both, or I(beta, pi) of one, of the corners
+    it is added to: quadrants that contain I(0, beta) of both, or I(beta, pi) of one, of the corners
     (lower, lower) and (upper, upper), besides the mass between h and k and I(0, pi). `toward` is
-    positive where h and k lie as at this corner of overlapping windows.
+    positive where h and k are ordered as at this corner of overlapping windows.
     """
     lost = corner.decay / 2 <= LOST * np.minimum(np.minimum(corner.total, corner.along), terms)
     return np.logical_not(lost & (corner.near >= corner.far) & (toward > 0))

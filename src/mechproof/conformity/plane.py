@@ -123,7 +123,7 @@ def subtract_ordered(below: Pair, above: Pair) -> Any:
 def place(
     mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
 ) -> tuple[Plane, Corners]:
-    """Standardise the limits and find what needs no integral."""
+    """Standardise the limits and find the components that need no integral."""
     plane = place_plane(mu, sigma, bias, s, tolerance, acceptance)
     low, high = find_tails(plane.h[0]), find_tails(plane.h[1])
     least, most = find_tails(plane.k[0]), find_tails(plane.k[1])

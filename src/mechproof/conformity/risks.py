@@ -65,7 +65,7 @@ def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None =
     parameters broadcast. Where one is NaN, so are the shares.
 
     Accuracy: for two normal laws, every share above 1e-100 is right to a relative 1e-12, however
-    small it is beside the others; for other laws, to 1e-12 if the widths of both laws and windows
+    small it is next to the others; for other laws, to 1e-12 if the widths of both laws and windows
     and the distances between them lie within a factor of 1000, wherever they all lie. A law of
     width 0 is a fixed value.
 
@@ -191,7 +191,7 @@ def _count(
     limits: Sequence[Array],
     task: tuple[tuple[int, ...], np.random.Generator],
 ) -> list[Any]:
-    """Simulate parts, in the number of the size's first axis; count all outcomes but the last."""
+    """Simulate as many parts as the first axis of `size`; count all outcomes but the last."""
     (size, rng), (true, *errors) = task, laws
     low, high, low_accepted, high_accepted = limits
     value = true.sample(rng, size)

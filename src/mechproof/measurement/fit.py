@@ -30,7 +30,7 @@ LARGEST_CONDITION = 1e7
 LARGEST_ERROR = 0.5
 # Minima whose sums of squares differ by fewer variances are not told apart: 25 is 5 sigma.
 CLEARANCE = 25.0
-# What least squares leave even of an exact fit (rad, per radian of the carrier).
+# Error that least squares leave even in an exact fit (rad, per radian of the carrier).
 SHARPEST = 1e-9
 # Minima are the same if their parameters are closer than this, relative to 1 and to themselves.
 SAME = 0.01
@@ -43,7 +43,8 @@ class Fit:
     `sensitivities` are the derivatives of every reading with respect to the parameters, `residuals`
     the remaining errors (rad). `standard_deviation` is that of one reading, from the residuals or
     as stated. `condition` is the condition number of the sensitivities, each scaled to norm 1: near
-    1 all is told apart; at 10**n some parameters are known n digits less well together than alone.
+    1 all parameters are told apart; at 10**n some of them are known to n digits less together than
+    each would be alone.
     """
 
     names: tuple[str, ...]
@@ -68,7 +69,7 @@ class Fit:
 
     @property
     def correlations(self) -> dict[tuple[str, str], float]:
-        """Return the correlation coefficients, as `propagate` takes them."""
+        """Return the correlation coefficients in the form that `propagate` accepts."""
         spread = np.sqrt(np.diag(self.covariance))
         matrix = self.covariance / np.outer(spread, spread)
         pairs = zip(*np.triu_indices(len(self.names), 1), strict=True)
@@ -144,7 +145,7 @@ def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float
         refuse("measured", problem.readings, text)
     freedom = count - len(problem.names)
     deviation = math.sqrt(best.square / freedom) if uncertainty is None else uncertainty
-    # Even readings without scatter leave the rest that least squares do.
+    # Even readings without scatter leave the error of least squares itself.
     noise = max(deviation, SHARPEST * (1 + np.abs(problem.angles).max()))
     for other in minima[1:]:
         apart = np.abs(other.sizes - best.sizes) > SAME * np.maximum(1, np.abs(best.sizes))

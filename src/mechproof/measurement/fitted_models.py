@@ -162,7 +162,7 @@ class FittingProblem:
         return [values for _, values in best[:REFINED]]
 
     def _try(self, ratio: tuple[float, ...], inside: Any) -> list[tuple[float, Floats]]:
-        """Return the best agreement at a ratio, 1 if all errors are equal, and where it is."""
+        """Return the best agreement at a ratio (1 if all errors are equal) and its parameters."""
         period = 2 * math.pi / (self.model.speed * (ratio[0] if ratio else 1.0))
         zeros = period / PARTS * np.arange(PARTS) if self.zeros else np.zeros(1)
         sizes = dict(zip(self.model.fitted.values(), (*ratio, _ECCENTRICITIES), strict=True))

@@ -163,7 +163,7 @@ def _read(name: str, value: Any) -> Any:
 def _take_difference(
     function: Callable[..., Any], points: Mapping[str, Any], name: str, estimate: Estimate
 ) -> Any:
-    """Return the slope between the ends of the standard uncertainty."""
+    """Return the slope between the estimate minus and plus its standard uncertainty."""
     low, high = (estimate.value + sign * estimate.uncertainty for sign in (-1, 1))
     if low == high:
         return np.zeros(np.shape(function(**points)))[()]

@@ -3,8 +3,8 @@
 A corner range is no bound if the dependence on a size turns between its limits. Here, the
 derivation of a quantity gives its derivatives, and balls give their signs over the box. A size in
 which the quantity is monotonic goes to a limit; the others are bisected until the bound meets an
-attained value or a budget is spent. What is then left open is the gap. This is interval branch and
-bound (Moore 1966, Hansen and Walster 2004; `subdivision`), where the GUM takes the first order and
+attained value or a budget is spent. What then remains open is the gap. This is interval branch and
+bound (Moore 1966, Hansen and Walster 2004; `subdivision`), whereas the GUM stops at first order and
 JCGM 101 samples.
 
 Needs the `derive` extra (sympy, python-flint).
@@ -158,7 +158,7 @@ def certified_range(
 
 @dataclass(frozen=True)
 class _Sent:
-    """A problem as it is sent: pickled once, unpickled once by every process."""
+    """A problem in transfer: pickled once, unpickled once by every process."""
 
     problem: Problem
 

@@ -90,7 +90,7 @@ class Problem:
         }
 
     def _find_moving(self, symbols: list[Any]) -> set[Any]:
-        """Find sizes that show influence at the nominal sizes; the others are left to proof."""
+        """Find sizes that show influence at the nominal ones; proof has to decide the others."""
         nominal = {s: self.sizes[n].nominal for n, s in self.sized.items()}
         moving: set[Any] = set()
         for x in filter(partial(is_inside, self.inputs), PROBES):
@@ -207,7 +207,7 @@ class BoxCondition:
 
 
 def split(relation: Any) -> list[Any]:
-    """Return relations equivalent together to the given one, such as two for |u| <= v."""
+    """Return relations that are jointly equivalent to the given one, such as two for |u| <= v."""
     import sympy as sp
 
     if isinstance(relation, sp.And):

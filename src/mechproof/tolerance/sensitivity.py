@@ -39,7 +39,7 @@ from mechproof.tolerance.sizes import (
     evaluate_nominal,
 )
 
-# The certified width comes this near to the wanted one, and steps that are tried for it.
+# How near the certified width comes to the wanted one, and how many steps are tried for that.
 NEAR, STEPS = 0.01, 12
 
 
@@ -185,7 +185,7 @@ def root_sum_square(contributions: Contributions) -> Range:
 
 @dataclass(frozen=True, eq=False)
 class Allocation:
-    """Sizes with the tolerances allocated to them, and the range that is proved of these.
+    """Sizes with the tolerances allocated to them, and the range that is proved for these.
 
     `effects` are the first-order changes of the value over each tolerance, at the input where
     they are largest.
@@ -217,23 +217,24 @@ def allocate_tolerances(
 
     Each lies symmetrically about its nominal size. To first order the worst case is the sum of
     |c_i| T_i; the certified range then holds for all sizes together, however the quantity bends,
-    and at every input it is no wider than `width`, and at one at most 1 % narrower.
+    at every input it is no wider than `width`, and at some input at most 1 % narrower.
 
     Parameters
     ----------
     system, quantity
-        As in `certified_range`, of the package; the quantity has a kernel of derivatives.
+        As in `certified_range`, but of the package, and with a kernel of derivatives.
     inputs
         The first argument, an array-like: the range is kept at all of them.
     nominal
         Name and number of every other argument.
     width
-        Wanted, at most, of the quantity from its least to its largest value; positive.
+        Largest allowed distance between the quantity's least and largest value; positive.
     names
-        The sizes that get a tolerance (left out: all on which the quantity depends).
+        The sizes that get a tolerance (default: all on which the quantity depends).
     costs
-        Name and cost a_i of these: that of a tolerance T counts as a_i/T, and the sum of all is
-        made least (Spotts 1973), T_i going with sqrt(a_i/|c_i|). Left out, all contribute equally.
+        Name and cost a_i of these: a tolerance T costs a_i/T, and the total cost is minimised
+        (Spotts 1973), so that T_i is proportional to sqrt(a_i/|c_i|). By default, all sizes
+        contribute equally.
     budget, executor
         As in `certified_range`.
 
@@ -242,7 +243,7 @@ def allocate_tolerances(
     ImportError
         Without the `derive` extra.
     TypeError, ValueError
-        Names the parameter; also where no tolerances, however narrow, are shown to keep the width.
+        Names the parameter; also if no tolerances, however narrow, are shown to keep the width.
 
     """
     check_text("quantity", quantity)
@@ -275,7 +276,7 @@ def allocate_tolerances(
             best = Allocation(sizes, effects, found)
             if largest >= (1 - NEAR) * width:
                 break
-        # The width goes nearly with the tolerances; a budget that does not reach asks for half.
+        # The width is nearly proportional to the tolerances; without a finite width, halve them.
         factor *= (1 - NEAR / 2) * width / largest if np.isfinite(largest) else 0.5
     if best is None:
         raise ValueError(f"width = {width!r}: not shown to be kept by any tolerances; raise budget")
@@ -285,7 +286,7 @@ def allocate_tolerances(
 def _find_slopes(
     system: str, quantity: str, points: Any, nominal: Mapping[str, float]
 ) -> dict[str, float]:
-    """Return the largest |derivative| over the inputs by every size."""
+    """Return, for every size, the largest |derivative| over the inputs."""
     check_text("system", system)
     kernels = import_module(f"{KERNELS}.{system}")
     function = getattr(kernels, quantity, None)

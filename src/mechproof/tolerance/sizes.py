@@ -72,7 +72,7 @@ class Size:
         return Normal.from_width(middle, self.tolerance, multiple)
 
     def truncated_normal(self, multiple: float) -> TruncatedNormal:
-        """Return the law `normal` truncated to the limits: the other sizes are sorted out."""
+        """Return the law `normal` truncated to the limits: sizes beyond them are sorted out."""
         law = self.normal(multiple)
         return TruncatedNormal(law.mean, law.std, *self.limits)
 
@@ -119,7 +119,7 @@ def evaluate_nominal(function: Function, inputs: Floats, sizes: Mapping[str, Siz
 
 
 class Report:
-    """Counts the function values done and tells the caller's callback."""
+    """Counts the function values computed and reports them to the caller's callback."""
 
     def __init__(self, total: int, progress: Progress | None) -> None:
         check_progress(progress)

@@ -25,7 +25,7 @@ Known = Mapping[Any, float]
 
 
 def to_values(known: Known, box: Box) -> dict[Any, Any]:
-    """Return balls of the known numbers and of all that lies between the limits."""
+    """Return balls of the known numbers and of the ranges between the limits."""
     from flint import arb
 
     values = {s: arb(v) for s, v in known.items()}
@@ -33,7 +33,7 @@ def to_values(known: Known, box: Box) -> dict[Any, Any]:
 
 
 def enclose_interval(limits: Limits) -> Any:
-    """Return a ball that holds both limits."""
+    """Return a ball that contains both limits."""
     from flint import arb
 
     low, high = limits
@@ -63,25 +63,25 @@ def halve(box: Box, symbol: Any) -> tuple[Box, Box]:
 
 
 def find_widest(box: Box, whole: Box) -> Any:
-    """Return the symbol that has kept most of its limits' distance, None for a point."""
+    """Return the symbol with the largest remaining fraction of its range, or None for a point."""
     shares = {s: np.subtract(*box[s]) / np.subtract(*whole[s]) for s in open_symbols(box)}
     return max(shares, key=shares.__getitem__, default=None)
 
 
 def common_sign(slopes: list[Any]) -> int:
-    """Return the sign that all slopes are proved to have, 0 if none."""
+    """Return the sign that all slopes are proved to have, or 0."""
     if all(s >= 0 for s in slopes):
         return 1
     return -1 if all(s <= 0 for s in slopes) else 0
 
 
 def hull(slopes: list[Any]) -> Any:
-    """Return a ball that holds all slopes."""
+    """Return a ball that contains all slopes."""
     return reduce(lambda whole, slope: whole.union(slope), slopes)
 
 
 def steepest(slopes: list[Any], limits: Limits) -> float:
-    """Return how far the value may run between the limits."""
+    """Return a bound on the change of the value between the limits."""
     whole = hull(slopes)
     slope = float(whole.abs_upper()) if whole.is_finite() else np.inf
     return slope * (limits[1] - limits[0])
@@ -169,7 +169,7 @@ class Search:
         return max(steep, key=steep.__getitem__, default=None)
 
     def _holds(self, box: Box) -> bool | None:
-        """Decide the conditions of the domain over the box, False if one is violated in it."""
+        """Decide the domain's conditions over the box: False if one is violated somewhere in it."""
         found = [condition.decide(self.known, box) for condition in self.problem.conditions]
         return False if False in found else None if None in found else True
 
@@ -190,7 +190,7 @@ class Search:
                 return box, natural, slopes
 
     def _narrow(self, box: Box) -> Box:
-        """Narrow a size to the maxima of the curves along it, if all have one, by Newton's step."""
+        """Narrow a concave size by Newton's step to where the maxima along it may lie."""
         for symbol in open_symbols(box):
             bend = self._bend(box, symbol)
             if not bend < 0:
