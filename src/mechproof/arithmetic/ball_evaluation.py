@@ -211,8 +211,8 @@ def _piecewise(node: sp.Basic) -> Plan:
             if holds is None:
                 return NOT_FINITE
             if holds:
-                # Compiled here rather than an operand of the choice: other branches need not have
-                # values here.
+                # Compiled here rather than made an operand of the choice, as other branches need
+                # not have values here.
                 return compile_expression(expression)(values)
         return NOT_FINITE
 

@@ -51,7 +51,7 @@ class Cover:
 
 
 def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Cover:
-    """Divide a box until every part is below an aim or one is shown not to be; first sides first.
+    """Divide a box until every part is below an aim or one is not; the first sides are cut at once.
 
     A part whose bound is above the aim at its middle alone cannot be divided into parts below it.
     """

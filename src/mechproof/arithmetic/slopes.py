@@ -38,7 +38,7 @@ ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.M
 
 @dataclass(frozen=True, eq=False)
 class Dual:
-    """A ball and that of its derivative (Clifford 1873); plain balls in sums count as constants."""
+    """A ball and that of its derivative (Clifford 1873); a plain ball counts as constant."""
 
     value: Any
     rate: Any
@@ -143,8 +143,8 @@ class GradientTape:
             if slopes[slot] is None:
                 continue
             for k, partial in zip(layout.operands[slot], partials[slot], strict=False):
-                # A zero means the other side of a kink: nothing passes there, though it may be
-                # undefined.
+                # A zero marks the side of a kink that is not taken: nothing is passed there, as it
+                # may be undefined.
                 if (isinstance(partial, int) and not partial) or wanted.isdisjoint(layout.needs[k]):
                     continue
                 part = slopes[slot] * partial

@@ -85,7 +85,7 @@ def choose_size(p: Any, q: Any) -> Any:
 
 
 def integrate_arc(p: Array, q: Array, one: Array, square: Array) -> Array:
-    """1/(2 pi) times the integral over log(u) < 0 of the arc's integrand, 1 at u = 1.
+    """Return 1/(2 pi) times the integral over log(u) < 0 of the arc's integrand, 1 at u = 1.
 
     exp(p (1 - u**-2) + q (1 - u**2)) u (one + square) / (one + square u**2); it is cut where the
     exponential has fallen by `DROP`.

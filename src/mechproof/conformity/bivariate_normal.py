@@ -54,7 +54,7 @@ class Quadrants(NamedTuple):
 
 
 def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
-    """I(0, beta) and I(beta, pi): the smaller integrated where needed, the other from the sum."""
+    """Return I(0, beta), I(beta, pi): the smaller integrated if needed, the other from the sum."""
     # NaN: s = 0, I(0, beta) is 0.
     falling = np.logical_not(2 * (corner.near - corner.far) + plane.cosine <= 0)
     square = plane.tangent * plane.tangent
@@ -134,7 +134,10 @@ def find_quadrants(
 
 
 def integrate_strip(start: Array, width: Array, argument: Array, slope: Array) -> Array:
-    """Mass of start < z < start + width on one side of a line: phi(z) Phi(argument + slope z)."""
+    """Return the mass of start < z < start + width on one side of a line.
+
+    It is the integral of phi(z) Phi(argument + slope (z - start)) over the strip.
+    """
     step = width[:, None] * UNIT_NODES
     beyond, _ = find_tails(argument[:, None] + slope[:, None] * step)
     mass: Array = (normal_density(start[:, None] + step) * beyond) @ UNIT_WEIGHTS * width
@@ -142,14 +145,14 @@ def integrate_strip(start: Array, width: Array, argument: Array, slope: Array) -
 
 
 def find_accepted(plane: Plane, i: int, below: Pair, above: Pair, side: float) -> Any:
-    """Mass inside the acceptance window, above (side 1) or below (-1) tolerance limit `i`."""
+    """Return the mass of accepted parts above (side 1) or below (-1) tolerance limit `i`."""
     argument = plane.gap[i][0] / plane.sine - plane.k[0] * plane.tangent
     strip = plane.k[0], plane.acceptance, side * argument, side * plane.cotangent
     return complete(subtract_tails(below, above), integrate_strip, strip)
 
 
 def find_conforming(plane: Plane, j: int, below: Pair, above: Pair, side: float) -> Any:
-    """Mass inside the tolerance, above (side 1) or below (-1) acceptance limit `j`."""
+    """Return the mass of conforming parts above (side 1) or below (-1) acceptance limit `j`."""
     argument = -plane.gap[0][j] / plane.sine - plane.h[0] * plane.tangent
     strip = plane.h[0], plane.tolerance, side * argument, side * plane.cotangent
     return complete(subtract_tails(below, above), integrate_strip, strip)
@@ -158,7 +161,7 @@ def find_conforming(plane: Plane, j: int, below: Pair, above: Pair, side: float)
 def integrate_rectangle(
     start: Array, width: Array, low: Array, high: Array, slope: Array, span: Array
 ) -> Array:
-    """Mass inside both windows where the tolerance is narrow."""
+    """Return the mass inside both windows where the tolerance is narrow."""
     step = width[:, None] * UNIT_NODES
     shift = slope[:, None] * step
     ends = low[:, None] - shift, high[:, None] - shift
@@ -170,7 +173,7 @@ def integrate_rectangle(
 def normal_masses(
     mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
 ) -> tuple[Any, Any, Any, Any]:
-    """Rightly and wrongly accepted, rightly and wrongly rejected masses of flat arrays."""
+    """Return rightly and wrongly accepted, rightly and wrongly rejected masses, flat arrays."""
     return add_masses(*place(mu, sigma, bias, s, tolerance, acceptance))
 
 

@@ -202,7 +202,7 @@ def _fill_masses(masses: Array, parameters: Sequence[Array]) -> None:
 
 
 def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
-    """Exact shares of rightly and wrongly accepted and rejected parts, compiled.
+    """Return the exact shares of rightly and wrongly accepted and rejected parts, compiled.
 
     See `mechproof.conformity.shares`. Laws that are not both normal use its quadrature.
     """

@@ -113,7 +113,7 @@ def place_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> 
 
 
 def subtract_ordered(below: Pair, above: Pair) -> Any:
-    """Mass between two points in either order, from their tails."""
+    """Return the mass between two points in either order, from their tails."""
     return subtract_tails(
         (np.minimum(below[0], below[1]), np.maximum(below[0], below[1])),
         (np.maximum(above[0], above[1]), np.minimum(above[0], above[1])),

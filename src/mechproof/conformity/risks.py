@@ -57,7 +57,7 @@ class SimulatedShares(Shares):
 
 
 def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
-    """Exact shares of rightly and wrongly accepted and rejected parts.
+    """Return the exact shares of rightly and wrongly accepted and rejected parts.
 
     `true` is the law of the true deviation and `error` that of the measurement error, whose mean is
     the bias. `tolerance` and `acceptance` are pairs (lower, upper) in the same unit, infinite for a
@@ -114,7 +114,7 @@ def _fill_normal(masses: Array, parameters: Sequence[Array]) -> None:
 def conformance_probability(
     measured: ArrayLike, true: Normal, error: Normal, tolerance: Limits
 ) -> tuple[Any, Any]:
-    """Probabilities that a part with this measured value conforms, and that it does not.
+    """Return the probabilities that a part with this measured value conforms, and does not.
 
     The first is the conformance probability. The second is the specific consumer's risk if the
     part is accepted; the first is the specific producer's risk if it is rejected. Both come from
@@ -149,7 +149,7 @@ def simulate_shares(
     progress: Callable[[int, int], object] | None = None,
     executor: Executor | None = None,
 ) -> SimulatedShares:
-    """Shares among `count` simulated parts of every parameter set.
+    """Return the shares among `count` simulated parts of every parameter set.
 
     Arguments are as in `shares`; several error laws are independent errors that add up. Each worker
     holds about `chunk` values at a time (at least one per parameter set), whatever the count, and
@@ -203,7 +203,7 @@ def _count(
 
 
 def _estimate(counts: Array, count: int) -> SimulatedShares:
-    """Shares, binomial standard errors and Clopper-Pearson bounds of the counts (axis 0)."""
+    """Return shares, binomial standard errors and Clopper-Pearson bounds of counts (axis 0)."""
     from scipy.special import betaincinv
 
     share, other = counts / count, count - counts
@@ -217,7 +217,7 @@ def _estimate(counts: Array, count: int) -> SimulatedShares:
 
 
 def _check_limits(tolerance: Limits, acceptance: Limits | None) -> list[Array]:
-    """Lower and upper tolerance limit, lower and upper acceptance limit."""
+    """Return lower and upper tolerance limit, lower and upper acceptance limit."""
     accepted = tolerance if acceptance is None else acceptance
     return [
         *check_pair("tolerance", tolerance),
@@ -232,7 +232,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(28)
 def law_masses(
     true: Law, error: Law, tolerance: Array, acceptance: Array
 ) -> tuple[Array, Array, Array, Array]:
-    """Rightly and wrongly accepted, rightly and wrongly rejected masses.
+    """Return the rightly and wrongly accepted, rightly and wrongly rejected masses.
 
     The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,). Positions
     are relative to the centres of the laws, by exact subtraction: far from 0 they would not keep
@@ -286,7 +286,7 @@ def _add_panels(true: Law, error: Law, tolerance: Array, acceptance: Array) -> t
 
 
 def _panel_cuts(true: Law, error: Law, tolerance: Array, acceptance: Array) -> Array:
-    """Ascending abscissae, shape (n, panels + 1), between which every factor is smooth."""
+    """Return ascending abscissae, shape (n, panels + 1), with smooth factors in between."""
     own = true.knots()
     shifted = acceptance.T[:, :, None] - error.knots()[:, None, :]
     others = np.concatenate([shifted.reshape(own.shape[0], -1), tolerance.T], axis=1)

@@ -267,7 +267,7 @@ def read_checks(folder: Traversable) -> dict[str, str]:
 
 
 def _tell(withheld: str, file: str) -> str:
-    """Return whether a row is checked; where Coq stopped is omitted, as it needs the file."""
+    """Write whether a row is checked, without Coq's message, which is useful only with the file."""
     if not withheld:
         return f"checked: {file}"
     return f"not checked: {REFUSED if withheld.startswith(BY_COQ) else withheld}"

@@ -181,7 +181,7 @@ def is_rising(theorem: Theorem) -> bool:
 
 
 def prove_by_rise(theorem: Theorem, names: Names) -> list[str]:
-    """Write the tactics for such an inequality."""
+    """Write the tactics for an inequality that is an equality at 0 and rises from there."""
     symbol, relation = theorem.symbols[0], theorem.conclusion
     less, more = relation.args if isinstance(relation, sp.Le) else relation.args[::-1]
     name, moving = names[symbol], {symbol: str(_RISING)}

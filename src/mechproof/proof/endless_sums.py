@@ -43,7 +43,7 @@ def settle_endless(expression: Any, domain: Domain) -> Any:
 
 
 def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
-    """Replace sums and products without bound letters of others by their values, unless None.
+    """Replace sums and products whose letters are bound nowhere else by their values, if found.
 
     Infinity replaces only a sum that stands alone.
     """
@@ -93,7 +93,7 @@ def _propose(total: sp.Sum, domain: Domain) -> Iterator[sp.Expr]:
 
 
 def _propose_arctangents(total: sp.Sum) -> Iterator[sp.Expr]:
-    """Propose the sum of atan(c/(k**2 + b*k + d)), which telescope by steps s of 1 or 2."""
+    """Propose a sum of atan(c/(k**2 + b*k + d)), the steps by s of atan(s/c*(k + (b - s)/2))."""
     (k, first, last), *_ = total.limits
     above, below = (sp.Poly(part, k) for part in sp.fraction(sp.together(total.function.args[0])))
     if above.degree() != 0 or below.degree() != 2:

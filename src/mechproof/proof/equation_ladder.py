@@ -293,7 +293,7 @@ def _find_break(
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
-    """Return an interior point at which only one side has a value; raise if balls refute."""
+    """Return an interior point where only one side has a value, or ""; raise if balls refute."""
     if printed == rebuilt and compare(printed, rebuilt, domain, 1, CROSS_PRECISION).agreeing:
         return ""
     comparison = compare(printed, rebuilt, domain, CROSS_EXAMINATION, CROSS_PRECISION)

@@ -154,7 +154,7 @@ class _Extension:
     def measure(self, number: sp.Expr) -> _Bits:
         """Return a number's bits, collecting its roots; `_NotAlgebraicError` if none are known."""
         if number.is_Rational:
-            # A power of two above |p|, and the least one that is at least q.
+            # The exponents of a power of two above |p|, and of the least one that is at least q.
             return _Bits(abs(int(number.p)).bit_length(), int(number.q - 1).bit_length())
         if isinstance(number, sp.Add | sp.Mul):
             join = _Bits.add if number.is_Add else _Bits.multiply

@@ -52,7 +52,7 @@ def write_by_power(
 
 
 def _integrate_term(term: sp.Expr, variable: sp.Symbol) -> sp.Expr | None:
-    """Integrate a polynomial times an exponential and a wave; None for another term.
+    """Integrate a polynomial times an exponential and a wave; None for any other term.
 
     It is the real or imaginary part of p*exp(r*x), r = a + i*b, whose integral is exp(r*x) times
     the sum of p/r - p'/r**2 + p''/r**3 and so on.

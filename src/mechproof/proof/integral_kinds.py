@@ -145,7 +145,7 @@ def has_pieces(integrand: sp.Expr, variable: sp.Symbol) -> bool:
 
 
 def cut_at_seams(integral: sp.Integral, domain: Domain) -> list[sp.Integral]:
-    """Cut an integral where one condition or floor changes; nothing where that is not shown."""
+    """Cut an integral where one condition or floor changes; return [] if that is not shown."""
     integrand, (variable, lower, upper) = integral.args
     written = _write(integrand, variable)
     if (floor := _find_floor(written, variable)) is not None:

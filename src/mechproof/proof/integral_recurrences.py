@@ -49,7 +49,7 @@ class _Claim(NamedTuple):
 class Settled(NamedTuple):
     """Both sides with an improper integral replaced by its value, and the rungs that prove it.
 
-    Balls would enclose no value of such an integral at any number.
+    Balls do not enclose such an integral for any n.
     """
 
     printed: sp.Expr

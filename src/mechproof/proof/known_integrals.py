@@ -59,7 +59,7 @@ def _frullani(at: sp.Expr, jump: sp.Expr) -> KnownIntegral:
 def _turn(
     integrand: sp.Expr, value: sp.Expr, *positive: sp.Expr
 ) -> tuple[KnownIntegral, KnownIntegral]:
-    """Return the rows of an integrand in cosines over a half turn, with this value, and a turn."""
+    """Return the rows over a half turn, with this value, and a turn of an integrand in cosines."""
     half = KnownIntegral(integrand, (sp.S.Zero, _PI), value, positive)
     return half, replace(half, limits=(sp.S.Zero, 2 * _PI), value=2 * value)
 
@@ -114,7 +114,7 @@ KNOWN = (
     _frullani(sp.exp(-X), -sp.S.One),
     _frullani(sp.cos(X), -sp.S.One),
     _frullani(sp.atan(X), _PI / 2),
-    # Laplace (3.723), and what is like it (3.896, 3.325, 3.941).
+    # Laplace (3.723), and similar integrals (3.896, 3.325, 3.941).
     _endless(
         sp.cos(_A * X) / (_B**2 + X**2), _PI * sp.exp(-_A * _B) / (2 * _B), _B, nonnegative=(_A,)
     ),

@@ -97,7 +97,10 @@ def _grows(
 
 
 def _is_zero_nowhere_long(f: sp.Expr, slope: sp.Expr, x: sp.Symbol, domain: Domain) -> bool:
-    """Return whether the slope of an analytic f is shown, for all parameters, not to be zero."""
+    """Return whether the slope of an analytic f is shown to vanish on no interval of x.
+
+    It is if it is positive at one place for all parameters.
+    """
     middle = choose_place(domain.set_of(x), sp.S.Half, 1)
     # Zeros of an analytic function that is not zero throughout lie apart.
     is_positive_there = _is_shown(slope.subs(x, middle), True, _without(domain, x))

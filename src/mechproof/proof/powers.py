@@ -50,7 +50,7 @@ def split_powers(expression: sp.Expr) -> sp.Expr:
 
 
 def is_analytic(expression: sp.Expr) -> bool:
-    """Return whether an expression, unless it is zero itself, is zero on no interval."""
+    """Return whether an expression, unless it is identically zero, is zero on no interval."""
     roots = (power for power in expression.atoms(sp.Pow) if not power.exp.is_integer)
     return not has_parts(expression, *_JUMPING, sp.Abs, sp.Max, sp.Min) and not any(
         root.base.free_symbols for root in roots

@@ -170,7 +170,7 @@ def _find_point(
 
 
 def has_value(side: sp.Basic, point: Point) -> bool:
-    """Return whether a side has a value; exact numbers are put in only if balls do not show one."""
+    """Return whether a side has a value; exact numbers are put in only if plain balls show none."""
     if not has_parts(side, *_COUNTED) and balls.evaluate(side, point).is_finite():
         return True
     return bool(balls.evaluate(put_exactly(side, point), point).is_finite())

@@ -334,7 +334,7 @@ def _with_related(expression: sp.Expr, domain: Domain) -> set[sp.Basic]:
 def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates) -> None:
     """Write a letter as its bound and a gap, if its own interval is unbounded on that side.
 
-    At its other end the interval must not cut off values up to the bound.
+    At its other end the bound must be at least as narrow as the interval.
     """
     slack = find_slack(relation)
     if slack is None:

@@ -54,7 +54,7 @@ def find_faults(
 ) -> list[Answer]:
     """Return every fault of the printed side; none if it is well formed.
 
-    `mended`: the side is correct as read, so it must have the dimension of the other side.
+    `mended`: a correction is given, so a dimension unlike the other side's is a fault.
     """
     if isinstance(statement, Conjunction):
         parts = statement.parts

@@ -16,7 +16,7 @@ LONGEST = 240
 # Most decimals of a fraction that is written as a decimal number.
 _MOST_DECIMALS = 6
 _DIGITS = (6, 9, 12, 16, 24, 48)
-# SymPy's LaTeX-like spelling of a bound variable of ours, `x_`, in texts.
+# A bound variable of ours, the dummy `x_`, as SymPy prints it: `_x_`.
 _BOUND = re.compile(r"(?<!\w)_(\\?\w+?)_(?!\w)")
 
 

@@ -162,7 +162,7 @@ def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
 
 
 def _as_terms(one: sp.Basic, of_one: Dimension, other: sp.Basic, of_other: Dimension) -> Dimension:
-    """Return the dimension of a sum: a constant added to an angle is an angle, a sine is not.
+    """Return the dimension of two added terms: angle plus constant is an angle, plus sine is not.
 
     Once sizes have been put in, the rest of a length may be such a mixture.
     """

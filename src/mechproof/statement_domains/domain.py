@@ -120,7 +120,7 @@ class Domain:
         return replace(self, within={**self.within, symbol: values}, where=where)
 
     def allows(self, point: Point) -> bool:
-        """Return whether no set and no relation that the point decides excludes it."""
+        """Return whether a point violates no set and no relation in which it fixes all symbols."""
         relations = [r for r in self.where if find_free(r) <= point.keys()]
         inside = (contains(self.set_of(s), v) != sp.false for s, v in point.items())
         return all(inside) and _allowed(relations, point)
@@ -169,7 +169,7 @@ class Domain:
         return (point for point in tied if _allowed(relations, point))
 
     def reaches(self, chosen: Point) -> bool:
-        """Return whether a point with these values is found, for all that relations tie to them."""
+        """Return whether a point with these values is found, including all symbols tied to them."""
         names, relations = self._connect(set(chosen), chosen)
         sets = {symbol: self.set_of(symbol) for symbol in names - chosen.keys()}
         if not relations:

@@ -25,7 +25,7 @@ def take_values(expression: Any) -> Any:
 
 
 def prepare(expression: Any) -> Any:
-    """Return an expression that is equal wherever both have values."""
+    """Return a rewritten expression, equal to the given one wherever both have values."""
     plain = write_sums_out(take_values(expression))
     if has_parts(plain, sp.gamma):
         plain = plain.replace(sp.gamma, _write_gamma)

@@ -27,7 +27,7 @@ _SPECIAL = tuple(
 def contains(where: sp.Set, value: sp.Expr) -> sp.Basic:
     """Return SymPy's answer, cached: every row asks for the same special values at every point."""
     if isinstance(where, sp.Interval) and value.is_real:
-        # Otherwise SymPy would take the letter in such a relation for the number.
+        # Interval.contains would write the relation for a dummy and then substitute the value.
         return where.as_relational(value)
     return where.contains(value)
 
@@ -55,7 +55,7 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
 # Cached, as the same numbers are placed in the same sets for every row.
 @lru_cache(maxsize=4096)
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
-    """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
+    """Map u in (0, 1) into the set; values on the whole line are spread over several turns."""
     if where in COUNTS:
         return sp.Integer(step % 7 + (-3 if where == sp.S.Integers else 1))
     if isinstance(where, sp.Range):

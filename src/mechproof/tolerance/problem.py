@@ -152,7 +152,7 @@ def _match_symbols(paper: Paper, quantity: Quantity, sizes: Mapping[str, Size]) 
 
 
 def _is_idle(value: Any, symbol: Any, domain: Any) -> bool:
-    """Prove that the derivative is identically zero."""
+    """Return whether the derivative is proved to be identically zero."""
     import sympy as sp
 
     from mechproof.proof.algebra import decide_equal

@@ -190,7 +190,7 @@ class Search:
                 return box, natural, slopes
 
     def _narrow(self, box: Box) -> Box:
-        """Narrow a concave size by Newton's step to where the maxima along it may lie."""
+        """Narrow a size in which the quantity is concave by a Newton step towards its maxima."""
         for symbol in open_symbols(box):
             bend = self._bend(box, symbol)
             if not bend < 0:
