@@ -46,7 +46,7 @@ def apply(function: Function, values: Ends) -> Interval:
 
 
 def _rise(function: Function, z: Interval, slope: Slope, bend: Slope) -> Interval:
-    """Return a monotone function; `slope` and `bend` follow from its value."""
+    """Return a monotone function of z; `slope` and the sign of `bend` follow from its value."""
     first, last = apply(function, z.low), apply(function, z.high)
     found = first.union(last)
     if z.form is None:

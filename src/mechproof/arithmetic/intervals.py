@@ -190,7 +190,7 @@ def _raise_form(form: LinearForm, exponent: int) -> LinearForm:
 
 
 def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:
-    """Return the pairs of ends with the least and the largest product, or None without signs."""
+    """Return the ends with the least and with the largest product; None if signs do not decide."""
     sign, other = a.sign, b.sign
     if not (sign and other):
         return None

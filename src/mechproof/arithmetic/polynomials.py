@@ -25,7 +25,7 @@ from mechproof.record.parts import find_free, find_parts, replace_parts
 def reduce_polynomial(polynomial: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> sp.Expr:
     """Return the normal form modulo relations, each of which may contain earlier generators.
 
-    Raises `sympy.PolynomialError` for an expression that is no polynomial over the rationals.
+    Raises `sympy.PolynomialError` for an expression that is not a polynomial over Q.
     """
     ring = _Ring(polynomial, relations=relations)
     return ring.write(ring.lower_all(ring.read(polynomial)))
@@ -43,7 +43,7 @@ def expand(polynomial: sp.Expr) -> sp.Expr:
 def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
     """Return whether a quotient's normal form is zero over a denominator that is not.
 
-    Raises `sympy.PolynomialError` for an expression that is no quotient of polynomials.
+    Raises `sympy.PolynomialError` for an expression that is not a quotient of polynomials.
     """
     ring = _Ring(quotient, relations=relations)
     above, below = (ring.lower_all(part) for part in ring.read_quotient(quotient))
@@ -55,7 +55,7 @@ def is_zero(quotient: sp.Expr, relations: Mapping[sp.Pow, sp.Expr]) -> bool:
 def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
     """Factor like SymPy's `factor_list`, in its order and with its signs, but faster.
 
-    Functions count as symbols. Raises `sympy.PolynomialError` if it is no polynomial.
+    Functions count as symbols. Raises `sympy.PolynomialError` if it is not a polynomial.
     """
     try:
         return _factor_product(polynomial)
@@ -94,7 +94,7 @@ def _to_count(power: sp.Expr) -> int:
 
 
 def _factor_part(base: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Poly, int]]]:
-    """Factor an expression that is no product; the factors' leading coefficients are positive."""
+    """Factor an expression that is not a product, with positive leading coefficients."""
     ring = _Ring(base, functions=True)
     value = ring.read(base)
     number, factors = value.factor()

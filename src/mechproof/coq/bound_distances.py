@@ -66,7 +66,7 @@ def _list_below(part: sp.Basic, found: Box) -> set[sp.Basic]:
 def spread_out(expression: sp.Expr, box: Box) -> sp.Expr | None:
     """Write a polynomial as a sum of products of distances from bounds, without minus signs.
 
-    Returns None if minus signs remain, or the expression is no polynomial.
+    Returns None if minus signs remain, or the expression is not a polynomial.
     """
     roots = list_roots(expression)
     hidden = {root: sp.Dummy() for root in roots}

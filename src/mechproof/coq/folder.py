@@ -178,7 +178,7 @@ def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
 
 @dataclass(frozen=True)
 class Coverage:
-    """Certificates, and Coq's fault with each of their files, "" for those that it accepts.
+    """Certificates, and what Coq finds wrong with each file, "" if it accepts it.
 
     Files without an entry in `faults` were not checked.
     """

@@ -42,7 +42,7 @@ def prove_at_point(relations: Sequence[sp.Basic]) -> str:
 
 
 def prove(theorem: Theorem, names: Names) -> list[str]:
-    """Write the tactics that prove a theorem, one a line."""
+    """Write the tactics that prove a theorem, one per line."""
     if not theorem.symbols:
         return [prove_at_point((theorem.conclusion, *theorem.hypotheses))]
     if is_the_same(theorem.conclusion, names):

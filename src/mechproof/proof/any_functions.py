@@ -130,8 +130,8 @@ def _reduce(integrand: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 def _find_part(term: sp.Expr) -> sp.Expr | None:
     """Return an expression whose derivative is the term up to other terms, or None.
 
-    The derivative on the last function is lowered and the others are raised; a function multiplied
-    by a polynomial is also replaced by its antiderivatives.
+    The last function is differentiated less often, the others more; for a function multiplied by a
+    polynomial, antiderivatives are used as well.
     """
     powers = dict(factor.as_base_exp() for factor in sp.Mul.make_args(term))
     functions = [base for base in powers if isinstance(base, AnyFunction)]

@@ -162,7 +162,7 @@ def _carry_out_deltas(term: sp.Expr, limits: list[Limit]) -> tuple[sp.Expr, list
     limits = list(limits)
     while deltas := sorted(term.atoms(sp.KroneckerDelta), key=sp.default_sort_key):
         delta = deltas[0]
-        # A delta that is no factor, but under a root, say, does not just pick one index.
+        # A delta that is not a factor, but under a root, say, does not just pick one index.
         if delta not in sp.Mul.make_args(term):
             raise NotImplementedError(f"{delta} that is not a factor of {term}")
         first, second = delta.args

@@ -35,8 +35,8 @@ def has_steps(expression: sp.Expr, domain: Domain) -> bool:
 def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, Domain] | None:
     """Replace a count by any real number from its first value onwards; None if it has no first one.
 
-    None also if a power of a possibly negative base, which has no real values between whole
-    exponents, or a factorial contains it.
+    None also if there is a factorial or a step, or if the count is in the exponent of a possibly
+    negative base, whose powers have no real values between whole exponents.
     """
     first = find_first(count, domain)
     if first is None or value.has(sp.factorial, *_STEPS):

@@ -100,7 +100,7 @@ def put_in(side: Any, domain: Domain) -> Any:
 
 
 def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
-    """List the conditions for roots, logarithms and so on to have values that are not shown."""
+    """List the unproved conditions for roots, logarithms and so on to have values."""
     parts = list_partial(domain.resolve(expression))
     needs = dict.fromkeys(need for node in parts for need in list_needs(node))
     return [need for need in needs if not _is_shown(need, domain)]
@@ -188,7 +188,7 @@ def _is_shown(need: Slack, domain: Domain) -> bool:
 
 
 def _adds_squares(number: sp.Expr, domain: Domain) -> bool:
-    """Return whether a number is a sum, terms of sums included, of non-negative terms."""
+    """Return whether all terms of a number, those of its sums included, are non-negative."""
     terms = canonicalise(number, domain)
     squares = {
         s: sp.Dummy("squares", nonnegative=True)

@@ -63,7 +63,7 @@ def write_value(value: sp.Expr) -> str:
 
 
 def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
-    """Decide an equality with an infinite side, or one that has no value to SymPy; else None."""
+    """Decide an equality with a side that is infinite, or has no value in SymPy; else None."""
     if any(side.has(sp.nan, sp.zoo) for side in sides):
         return Answer(Verdict.UNDECIDED, "none", "a side has no value for what is given")
     if not any(side in (sp.oo, -sp.oo) for side in sides):

@@ -162,7 +162,7 @@ def list_needed(node: sp.Basic) -> Iterator[Slack]:
 
 
 def _read(integral: sp.Integral) -> tuple[sp.Expr, sp.Expr, list[sp.Expr]] | None:
-    """Return a factor, the integrand in X and the limits; even ones over the line are halved."""
+    """Return a factor, the integrand in X and the limits; an even one is taken on half the line."""
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return None

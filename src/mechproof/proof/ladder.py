@@ -282,9 +282,9 @@ def _is_shown(slack: Slack, domain: Domain) -> bool:
 
 
 def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:
-    """List a relation with (-2)^n written as 2^n and as -2^n, for each such power.
+    """List variants of a relation, with each power (-2)^n written as 2^n or as -2^n.
 
-    Whichever signs the powers have, one of the relations is equivalent to the given one. None if
+    Whichever signs the powers have, one of the variants is equivalent to the relation. None if
     there are no such powers, or too many.
     """
     powers = [p for p in relation.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols]

@@ -244,7 +244,7 @@ def list_zeros(slope: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
 
 
 def _is_small(exponent: sp.Expr) -> bool:
-    """Return whether an exponent is no fraction, or one so small that SymPy writes it out fast."""
+    """Return whether an exponent is not rational, or small enough for SymPy to write out fast."""
     return not exponent.is_Rational or max(abs(exponent.p), exponent.q) <= _LARGEST_EXPONENT
 
 

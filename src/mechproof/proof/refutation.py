@@ -200,7 +200,7 @@ def points_for(
 def _list_letters(
     expressions: Sequence[sp.Basic], domain: Domain
 ) -> tuple[list[sp.Basic], list[sp.Basic]]:
-    """List the letters that are no families, and separately those that are counts."""
+    """List the letters that are not families, with those that are counts separately."""
     free = {s for e in expressions for s in find_free(e)}
     bases = {i.base.label for e in expressions for i in find_parts(e, sp.Indexed)}
     symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases

@@ -68,7 +68,7 @@ def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
 
 
 def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
-    """Write a - b, both positive and one a power that is no root, as ln a - ln b; else None."""
+    """Write a - b, both positive and one a power that is not a root, as ln a - ln b; else None."""
     value = sp.collect(value, _list_powers(value))
     terms = value.args if isinstance(value, sp.Add) else ()
     if len(terms) != 2 or not _list_powers(value):
@@ -86,7 +86,7 @@ def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
 
 
 def _list_powers(value: sp.Expr) -> list[sp.Expr]:
-    """List the powers that are no roots."""
+    """List the powers that are not roots."""
     return [power for power in value.atoms(sp.Pow, sp.exp) if not power.exp.is_Rational]
 
 
@@ -116,7 +116,7 @@ def _write_power(exponent: sp.Expr) -> sp.Expr:
 
 
 def _find_least_ratio(large: sp.Symbol, small: sp.Symbol, domain: Domain) -> sp.Interval | None:
-    """Return the interval of the ratio of two positive variables, or None if they may not be."""
+    """Return the interval of the ratio of two variables, or None if they are not shown positive."""
     if not is_positive(small, domain):
         return None
     said = {find_slack(relation) for relation in domain.where}

@@ -203,7 +203,7 @@ def check_restatements(row: Row, domain: Domain) -> None:
 def _compare(
     what: str, says: Statement, row: Row, domain: Domain, shown: Iterable[sp.Basic]
 ) -> None:
-    """Require that some part is not void and has a side among `shown`, or is a print in words."""
+    """Require a part that is not void and has a side among `shown`; less of a print in words."""
     ours, own = (_resolve(sides, domain) for sides in (_quantities(row.statement), shown))
     telling = [part for part in _list_parts(says) if not _is_void(part, ours, domain)]
     if not telling:

@@ -73,7 +73,7 @@ def name_row(system: str, number: str) -> str:
 
 
 def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
-    """File a text as "print", which is verbatim, or "paraphrase": a transcription in our words.
+    """Return a text under "print" if it is verbatim, else under "paraphrase": in our words.
 
     Everything read from a paper's own source is verbatim.
     """

@@ -91,7 +91,7 @@ def _find_value(total: sp.Sum | sp.Product, n: sp.Symbol, domain: Domain) -> sp.
 def _add_up(
     term: sp.Expr, k: sp.Symbol, ends: tuple[sp.Expr, sp.Expr], n: sp.Symbol, domain: Domain
 ) -> sp.Expr | None:
-    """Return the sum of a term between half-integers, or None if it is no sine or cosine."""
+    """Return the sum of a term between half-integers, or None if it is not a wave."""
     low, high = ends
     factor, wave = term.as_independent(k)
     if wave == 1:

@@ -80,7 +80,7 @@ class Domain:
     def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
         """Build the domain of a paper, with sets replaced by `on` and narrowed to `inside`.
 
-        Raises `RecordError` for sets, assumptions and relations that cannot be meant.
+        Raises `RecordError` for invalid sets, assumptions and relations, and if it is empty.
         """
         within = {v.symbol: v.within for v in paper.variables if v.given is None}
         given = paper.given
@@ -115,7 +115,7 @@ class Domain:
         return self.within.get(base, sp.S.Reals)
 
     def with_set(self, symbol: sp.Basic, values: sp.Set) -> Domain:
-        """Return the domain in which a symbol has this set, and no relations."""
+        """Return the domain with this set for a symbol, and without the symbol's relations."""
         where = tuple(relation for relation in self.where if symbol not in relation.free_symbols)
         return replace(self, within={**self.within, symbol: values}, where=where)
 

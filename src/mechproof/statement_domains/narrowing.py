@@ -177,7 +177,7 @@ def _narrow(
 
 
 def _narrow_by(gap: _Gap, ranges: Ranges) -> Iterator[tuple[sp.Basic, _Range]]:
-    """Yield the ranges that a relation cuts off where the others, at their most, leave no gap."""
+    """Yield each range that a linear relation narrows even at the other symbols' best values."""
     for symbol, factor in gap.factors.items():
         others = [(f, ranges[s]) for s, f in gap.factors.items() if s != symbol]
         most = gap.constant + sum(f * (r.high if f > 0 else r.low) for f, r in others)

@@ -40,7 +40,7 @@ def prepare(expression: Any) -> Any:
 
 
 def _write_gamma(argument: sp.Expr) -> sp.Expr:
-    """Write gamma by gamma of letters, taken without a minus, plus a number from 0 to 1."""
+    """Write gamma(u) by gamma of u's letters, without a minus, plus a number from 0 to 1."""
     shift, rest = argument.as_coeff_Add()
     if argument.is_integer:
         return sp.factorial(argument - 1)

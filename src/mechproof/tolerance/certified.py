@@ -1,6 +1,6 @@
 """The range of a derived quantity over the whole box of its sizes, certified by ball arithmetic.
 
-A corner range is no bound if the dependence on a size turns between its limits. Here, the
+A corner range is not a bound if the dependence on a size turns between its limits. Here, the
 derivation of a quantity gives its derivatives, and balls give their signs over the box. A size in
 which the quantity is monotonic goes to a limit; the others are bisected until the bound meets an
 attained value or a budget is spent. What then remains open is the gap. This is interval branch and

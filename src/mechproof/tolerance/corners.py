@@ -111,7 +111,7 @@ def corner_range(
 ) -> CornerRange:
     """Evaluate `function(inputs, **sizes)` at all 2^m combinations of limits of m sizes.
 
-    This is no bound over the box of sizes: if the dependence on a size turns between its limits,
+    This is not a bound over the box of sizes: if the dependence on a size turns between its limits,
     values inside lie beyond those at the corners. It is a bound if the function is monotonic in
     every size.
 

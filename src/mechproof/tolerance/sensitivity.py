@@ -216,7 +216,7 @@ def allocate_tolerances(
     """Return the widest tolerances, in stated proportions, that keep a quantity in a width.
 
     Each lies symmetrically about its nominal size. To first order the worst case is the sum of
-    |c_i| T_i; the certified range then holds for all sizes together, however the quantity bends,
+    |c_i| T_i; the certified range then holds for all sizes together, however the quantity bends:
     at every input it is no wider than `width`, and at some input at most 1 % narrower.
 
     Parameters
