@@ -203,7 +203,7 @@ DEFINED = [
 REFUSED = [
     (r"\sqrt{x^2}=\pm x", "both signs, or either"),
     (r"y=\pm2x", "both signs, or either"),
-    (r"\frac{dy}{dx}=2x", "does it depend on it"),
+    (r"\frac{dy}{dx}=2x", "does that depend on it"),
     (r"\frac{d}{dx}(ay)=2x", "If y depends on x, say its value, --let 'y=…'"),
     (r"\frac{d\max(x,1)}{dx}=1", "kinks or steps"),
     (r"\frac{d}{dx}x\sin x=1", "how far does the derivative reach"),
@@ -212,8 +212,11 @@ REFUSED = [
     (r"\lim x=1", "a limit of what"),
     (r"\lim_{x\to x}x=1", "goes to a limit"),
     (r"n!!=1", "a factorial of what"),
-    (r"\binom{3}{1.5}=1", "a factorial of what is no whole number, 3/2: print the gamma function"),
-    (r"(x/2)!=1", "a factorial of what is no whole number"),
+    (
+        r"\binom{3}{1.5}=1",
+        "a factorial of something that is not a whole number, 3/2: print the gamma function",
+    ),
+    (r"(x/2)!=1", "a factorial of something that is not a whole number"),
     (r"(-1)!=1", "a factorial is read of whole numbers from 0 to 1000"),
     (r"\binom{-\frac12}k=1", "is read over numbers from 0 to 12: print its product"),
 ]

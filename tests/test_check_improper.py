@@ -381,7 +381,7 @@ def test_what_does_not_converge_is_no_number(latex: str, where: tuple[str, ...])
 def test_where_it_converges_is_told(latex: str, true: str, needed: str, wrong: str) -> None:
     (found,) = judge_pasted(Pasted(latex % true)).judgements
     assert found.verdict is Verdict.UNDECIDED
-    assert found.reason == f"both sides agree where {needed}, which is not said"
+    assert found.reason == f"both sides agree where {needed}, which is not stated"
     assert judge(latex % true, tuple(needed.split(" and "))) is Verdict.PROVED
     assert judge(latex % wrong) is Verdict.REFUTED
 

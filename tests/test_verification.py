@@ -76,5 +76,5 @@ def test_a_row_that_is_wrongly_stated_has_no_judgement_and_holds_nothing_up(file
     assert [j.verdict for j in ledger.judgements] == [Verdict.PROVED] * 4
     (failure,) = ledger.failures
     assert failure == (
-        f"{file}: row (3): RecordError: rebuilt: z3 is no declared symbol of the paper"
+        f"{file}: row (3): RecordError: rebuilt: z3 is not a declared symbol of the paper"
     )

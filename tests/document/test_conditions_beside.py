@@ -71,7 +71,7 @@ PAPERS = [
         r"$$l\dot\psi\cos\psi=r\dot\varphi$$",
         "PROVED DEFINITION",
     ),
-    # Nothing that is said of a case is proved or refuted by another.
+    # Nothing that is about a special case is proved or refuted by another.
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$2a+2b=2c$$", "PROVED DEFINITION"),
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$2a+2b=2c\quad(d=0)$$", "PROVED PROVED"),
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$a+b-c=1\quad(d=1)$$", "PROVED PROVED"),

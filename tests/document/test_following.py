@@ -117,7 +117,7 @@ def test_letters_of_which_more_is_said_are_not_solved_for() -> None:
     block = BLOCK.replace("%% end", f"%% factor N_2\n{bounds}%% end")
     outcome, reason = judge(r"\sqrt{N_2(a+b)}=\sqrt{Wa}", block)
     assert outcome == "not judged"
-    assert "cannot be solved for letters of which nothing else is said" in reason
+    assert "cannot be solved for letters that appear in no other equation" in reason
     row = mechproof.check("paper.tex", block + PAPER.replace("RESULT", "N_2(a+b)=Wb")).rows[-1]
     assert row.outcome == "REFUTED"
     values = row.judgement.evidence[0].at

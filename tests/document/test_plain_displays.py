@@ -196,9 +196,9 @@ def test_types_that_print_alike_and_dots_in_bold_are_one_letter() -> None:
 
 
 UNREAD = {
-    r"\sin[2](x)=y": "a number in square brackets behind a function",
-    r"y=\num{2.0(1)}": "a bracket behind the digits of a number",
-    r"y=\SI{3(2)}{m}": "a bracket behind the digits of a number",
+    r"\sin[2](x)=y": "a number in square brackets after a function",
+    r"y=\num{2.0(1)}": "a bracket after the digits of a number",
+    r"y=\SI{3(2)}{m}": "a bracket after the digits of a number",
     r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
     r"\sqrt{x^2}=x\quad\text{unless $x<0$}": "unless",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",

@@ -229,7 +229,7 @@ def test_a_column_of_a_formula_whose_letters_are_not_there_is_told() -> None:
     assert [row.outcome for row in found.rows[8:]] == ["PROVED"]
     ((_, reason),) = found.told
     assert reason.startswith(
-        r"the column b/q is not compared: the formula needs \gamma: neither in"
+        r"the column b/q is not compared: the formula needs \gamma: found neither in"
     )
 
 

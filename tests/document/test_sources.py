@@ -109,7 +109,7 @@ def test_a_line_that_is_not_understood_is_told_with_its_place(line: str, reason:
 
 TWICE = [
     ("a : one\n%% a : two", "declared twice"),
-    ("a : one\n%% {a} : two", "too much alike"),
+    ("a : one\n%% {a} : two", "too similar"),
     ("a(t) : one\n%% \\dot a : two\n%% \\dot{a} : three", "declared twice"),
     ("a(t) : one [mm]\n%% t : time [s]\n%% \\dot a : two [mm]", r"derivative .* than \[mm\]"),
     ("a : one {a>1}\n%% where a<0", "no value of a"),

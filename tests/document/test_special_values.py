@@ -373,7 +373,7 @@ def test_what_depends_on_a_letter_has_no_value_where_nothing_says_how(
 ) -> None:
     rows = judge_rows(UNKNOWN, *equations)
     assert [row.outcome for row in rows] == ["DEFINITION", "not read", "not read", "DEFINITION"]
-    assert "nothing says what" in rows[1].reason
+    assert "the text does not say what" in rows[1].reason
 
 
 TRAIN = r"""%% mechproof

@@ -32,7 +32,7 @@ REFUSED = [
     (r"[y]_0^1=1", "of which letter"),
     (r"\left[\frac{x-1}{x-1}\right]_1^2=0", "divides by zero"),
     (r"\left[\frac1x\right]_0^1=1", "divides by zero"),
-    (r"\frac d{dt}\begin{pmatrix}a\\b\end{pmatrix}=0", "does it depend on it"),
+    (r"\frac d{dt}\begin{pmatrix}a\\b\end{pmatrix}=0", "does that depend on it"),
 ]
 
 

@@ -69,11 +69,11 @@ REFUSED = [
     (r"\sum_{k=1}^2 k", "k", "bound here and declared", "Scope"),
     (r"\int_0^1 b\,dx", r"b\,dx", "neither declared nor bound", r"latex=(r'b',)"),
     (r"\int_0 x\,dx", r"\int_0", "one limit only", ""),
-    (r"\int_0^1 dx\,x", "x", "behind the differential", "before the differential"),
-    (r"\int_0^1\frac{dx}{x}a", "a", "behind the differential", "before the differential"),
-    (r"\int_0^1\frac{dx}{x}\,dy", "dy", "behind the differential", ""),
-    (r"\int_0^1 dx/x", "/x", "behind the differential", "before the differential"),
-    (r"\int_0^1 x\,dx\cdot a", r"\cdot a", "behind the differential", "brackets"),
+    (r"\int_0^1 dx\,x", "x", "after the differential", "before the differential"),
+    (r"\int_0^1\frac{dx}{x}a", "a", "after the differential", "before the differential"),
+    (r"\int_0^1\frac{dx}{x}\,dy", "dy", "after the differential", ""),
+    (r"\int_0^1 dx/x", "/x", "after the differential", "before the differential"),
+    (r"\int_0^1 x\,dx\cdot a", r"\cdot a", "after the differential", "brackets"),
     (r"\sum_{i=1}^2 r_i", "r_i", "its index runs here", "IndexedBase"),
     (r"x\pm a", r"\pm", "no meaning", ""),
     (r"\sin x/2", "/2", "belong to the argument", "brackets"),
@@ -181,7 +181,7 @@ MEANINGLESS = [
     (r"\det x", "do not fit"),
     (r"\det(1, 2)", "do not fit"),
     *(
-        (latex.replace("M", r"\begin{pmatrix}1&x\\0&1\end{pmatrix}"), "where a number is meant")
+        (latex.replace("M", r"\begin{pmatrix}1&x\\0&1\end{pmatrix}"), "where a number is expected")
         for latex in (
             *(r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
             *(r"\sqrt{M}", r"\sum_{i=1}^2M", r"\int_0^1M\,dx", r"\lim_{x\to0}M"),

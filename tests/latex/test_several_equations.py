@@ -74,7 +74,10 @@ REFUSED = [
     (r"t>0\Rightarrow f=1", "no meaning here"),
     (r"f=1,\ t\to 0", "no meaning here"),
     (r"f=\begin{matrix}t=1\end{matrix}", "in an unknown way"),
-    (r"f=\begin{cases}t&t<0\\0&\text{otherwise}\\1&t>0\end{cases}", "behind the value elsewhere"),
+    (
+        r"f=\begin{cases}t&t<0\\0&\text{otherwise}\\1&t>0\end{cases}",
+        "after the value for all others",
+    ),
     (r"f=\begin{cases}t\\0\end{cases}", "without its condition"),
     (r"f=1,\ t\in\{0,1\}", "sets are not read"),
     (r"f=g\in[0,1]", "in a set"),
@@ -89,5 +92,5 @@ def test_what_does_not_part_is_refused(latex: str, told: str) -> None:
 
 
 def test_an_environment_that_an_arrow_cuts_is_refused() -> None:
-    with pytest.raises(ReadingError, match="goes on in an unknown way"):
+    with pytest.raises(ReadingError, match="is continued in an unknown way"):
         READER.parse(r"\begin{array}{l} f=0 \to g=1")

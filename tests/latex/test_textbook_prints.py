@@ -59,9 +59,9 @@ def test_a_letter_is_met_with_all_that_belongs_to_it(latex: str, letters: list[s
 
 
 NOT_COLLECTED = [
-    (r"x\ ^2y", "a script behind a gap"),
-    (r"x{}^Ty", "a script behind a gap"),
-    (r"x\ _1y", "a script behind a gap"),
+    (r"x\ ^2y", "a script after a gap"),
+    (r"x{}^Ty", "a script after a gap"),
+    (r"x\ _1y", "a script after a gap"),
     ("^2", "nothing stands before"),
     (r"x+{}^A+y", "nothing stands before"),
     (r"{}^A{}^BQ", "a second ^"),

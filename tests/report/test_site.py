@@ -328,7 +328,7 @@ def contrast(one: str, other: str) -> float:
 
 
 def find_pale(colours: dict[str, str]) -> list[str]:
-    """List pairs of text and ground that are too much alike."""
+    """List pairs of text and ground that are too similar."""
     pairs = [(n.removesuffix("-bg"), n) for n in colours if n.endswith("-bg")]
     texts = [name for name, _ in pairs] + ["ink", "soft", "link", "accent"]
     pairs += [(text, ground) for text in texts for ground in ("ground", "sheet")]

@@ -25,20 +25,21 @@ from mechproof.sources.paper_files import STDIN, SUFFIXES, is_file, read_source
 from mechproof.tools.processes import WorkerError
 
 DEFAULTS = (
-    "What is not stated is assumed: letters are real numbers, a letter from or to which a sum goes "
-    "is a natural number from 1 on, d in an integral is its differential, e with letters in its "
-    "exponent is Euler's number; a letter that also stands alone multiplies a bracket behind it "
-    r"that is no argument, r(1-\cos x); \omega t, and what stands behind two functions alike, is "
-    r"one argument, so are \pi p and \frac abt; \Delta x is one quantity. Nothing else is guessed."
+    "Unless you say otherwise, letters are real numbers, the first or last index of a sum is a "
+    "natural number from 1 on, d in an integral is its differential, and e with letters in its "
+    "exponent is Euler's number. A letter that also appears without a bracket multiplies the "
+    r"bracket after it if that cannot be an argument, r(1-\cos x). \omega t, \pi p, \frac abt and "
+    r"whatever follows two functions alike are one argument; \Delta x is one quantity. Nothing "
+    "else is guessed."
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(options.OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
 REMARKS = {
-    Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
-    "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
-    "restricted: --where.",
-    Verdict.DEFINITION: "DEFINITION means: nothing was compared, the equation itself says what the "
-    "letter is. To have it judged, say what else the letter is: --let 'letter=…'.",
+    Verdict.REFUTED: "REFUTED means: not true for all values of its letters. If one of them "
+    "depends on others (an angle on an angle), say so with --let 'letter=…'; if they are "
+    "restricted, with --where.",
+    Verdict.DEFINITION: "DEFINITION means: nothing was compared, since the equation itself defines "
+    "the letter. To have it judged, give another value of the letter: --let 'letter=…'.",
 }
 PLAIN = (Verdict.PROVED.value, Verdict.DEFINITION.value)
 

@@ -26,37 +26,37 @@ LONGEST_SCALE = 8
 MOST_SYMBOLS = 4
 # What the docstring of a module says of all its kernels.
 COMMON = (
-    "Arguments broadcast. The result is a NumPy scalar where they are scalars, an array otherwise; "
-    "float32 if every array argument is float32, float64 otherwise. `out`, an array of the "
-    "result's type and shape, takes the result; it may overlap an argument. Outside the domain "
-    "and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.",
-    "TypeError: an argument is complex or not numeric, or `out` is no array of the result's type. "
-    "ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.",
+    "Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an "
+    "array; it is float32 if every array argument is float32, otherwise float64. `out`, an array "
+    "of the result's type and shape, receives the result; it may overlap an argument. The result "
+    "is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.",
+    "TypeError: an argument is complex or not numeric, or `out` is not an array of the result's "
+    "type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.",
 )
 ACCURACY = (
-    "Accuracy is tested: on the stated arguments no search has found a result that is off by more. "
-    "It is of float64, in which float32 is computed, too; eps = 2**-52."
+    "Accuracy is tested: on the stated arguments no search has found a larger error. It is that of "
+    "float64, in which float32 is computed, too; eps = 2**-52."
 )
-# Heading of the tested accuracy of a kernel, where a proved one stands beside it.
+# Heading of a kernel's tested accuracy where a proved one is listed as well.
 TESTED = "Accuracy, tested"
 DERIVATIVES = (
     "Arguments, domain, `out` and errors are those of the kernel with the same name, one module "
-    "up; the result has a last axis with a derivative for each argument, in their order."
+    "up; along a last axis the result has the derivative by each argument, in their order."
 )
 SLOPES = (
-    "At a kink a derivative is that on the side of the greater argument, at a pole infinite or "
-    "NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested: no "
-    "error of an entry d is more than the stated multiple of eps = 2**-52 and its conditioning, "
-    "|d| + sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, and "
-    "of the part of the kernel's own error, where that has a scale, divided by the argument (the "
-    "first: by it or by 1 rad or mm, what is less)."
+    "At a kink a derivative is that on the side of the greater argument; at a pole it is infinite "
+    "or NaN. Each is proved to follow from the definition by the chain rule. Accuracy is tested: "
+    "the error of an entry d is at most the stated multiple of eps = 2**-52 times its conditioning, "
+    "|d| + the sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, "
+    "plus, if the kernel's own error has a scale, that scale divided by the argument (the first "
+    "argument counts as at most 1 rad or mm)."
 )
 SCALES = "What errors are relative to:"
 PROVED = (
-    "What is proved holds for all arguments that its line states, of float64 rounded to nearest, "
-    "on the assumptions of that line: the results that they speak of are those of all operations "
-    "on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be "
-    "proved than is tested, since a proof adds up roundings that may never meet."
+    "A proved bound holds for all arguments stated in its line, in float64 rounded to nearest, on "
+    "the assumptions of that line. These speak of the results of all intermediate operations; the "
+    "normal range is 0 and everything of at least 2**-1022 in size. A proved bound may be larger "
+    "than a tested one, since a proof adds up roundings that may never occur together."
 )
 
 

@@ -65,25 +65,23 @@ NOT_CHECKED = "not checked in this run"
 BY_COQ, REFUSED = "Coq: ", "Coq refuses the proof that was written for it"
 _INTRODUCTION = """# What Coq checks
 
-Rows of the ledger that are PROVED, REFUTED or CONDITIONAL, written as theorems of Coq {version}
-and proved there once more: `mechproof certify --out FOLDER --check` writes the files and runs Coq.
-A theorem states the whole row in the letters of the paper, with the domain as its hypotheses and
-with what every quotient, root and tangent needs to have a value; a point that satisfies all
-hypotheses is proved to exist beside it. Of a refuted row a point is proved at which it fails; a
-conditional row has both, the theorem on the part where it is true. A law by pieces is a theorem for
-each piece, under its condition; sums go to any whole number, over families of any numbers. Each
-file is read back from its text by a reader of its own and compared with the row before it is
-written.
+The rows of the ledger that are PROVED, REFUTED or CONDITIONAL are written as theorems of Coq
+{version} and proved there again: `mechproof certify --out FOLDER --check` writes the files and runs
+Coq. A theorem states the whole row in the letters of the paper. Its hypotheses are the domain, and
+what every quotient, root and tangent needs to have a value; next to it, a point is proved to
+satisfy all hypotheses. For a refuted row a point is proved at which it fails; a conditional row has
+both, with the theorem on the part where it is true. A law by pieces is a theorem for each piece,
+under its condition; sums run to any whole number, over families of any numbers. Before a file is
+written, a separate reader reads it back from its text and compares it with the row.
 
-Where both sides are one formula that is the derivative of a known one, the theorem says so, and Coq
-differentiates, too. Of some rows a theorem says no more than A = A: both sides are one formula once
-they are read and worked out, as where a form is what the paper prints, or where SymPy has taken a
-derivative of what the row does not name. Coq adds nothing to what was read then, so that they are
-counted apart.
+If both sides are one formula that is the derivative of a known one, the theorem says so, and Coq
+differentiates, too. For some rows the theorem says no more than A = A: both sides are one formula
+once they are read and worked out, for example where a form is what the paper prints, or where SymPy
+has taken a derivative that the row does not name. There Coq adds nothing, so these rows are counted
+separately.
 
-No file has an axiom of its own. What the theorems rest on is what Coq's real numbers rest on
-({assumed}) and, where numbers are computed, the machine integers and floats of coq-interval
-({modules}).
+No file has an axiom of its own. The theorems rest on what Coq's real numbers rest on ({assumed})
+and, where numbers are computed, on the machine integers and floats of coq-interval ({modules}).
 
 This page is generated.
 

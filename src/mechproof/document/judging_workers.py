@@ -47,7 +47,7 @@ COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 # Seconds that reading, or judging, one equation may take.
 LIMIT = 60.0
 # Completes the reason of a row that differs from another value of the same letter.
-UNLIKE = ", which has the same letters: one is wrong, or of another case"
+UNLIKE = ", which has the same letters: one of them is wrong or about another case"
 TRANSPOSED = (
     "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
     "letter?"
@@ -170,7 +170,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and task.is_alone:
         says = task.row.says
         if isinstance(says, PrintedNumber) and (slip := find_slip(says, says.value)):
-            return replace(found, reason=f"{found.reason}: a slip for {slip}?")
+            return replace(found, reason=f"{found.reason}: a misprint for {slip}?")
         return f"not the value at the declared sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
         reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
@@ -182,7 +182,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     is_exact = found.verdict is Verdict.REFUTED and not task.is_rounded
     if is_exact and (never := tell_never_true(task, found.reason)):
         if task.is_solution and WITH_DEFINITIONS in never:
-            return f"it is never true{WITH_DEFINITIONS}, but may be said of another case"
+            return f"it is never true{WITH_DEFINITIONS}, but may be about another case"
         return replace(found, reason=never)
     return _take_as_given(task, found)
 

@@ -127,7 +127,7 @@ def _refuse_matrix(one: LetterAlone, known: Known) -> NoReturn:
         known.sizes[one.symbol] = one.value.shape
     source, node = one.read.source, one.node
     told = f"{source.latex[node.start : node.end]} is a matrix here"
-    raise source.refuse(node.start, told, f"Say its size behind its name: {rows}x{columns}.")
+    raise source.refuse(node.start, told, f"Give its size after its name: {rows}x{columns}.")
 
 
 def _note_piece(

@@ -60,7 +60,7 @@ def refuse_powers_of_zero(read: Print) -> None:
             printed = read.source.latex[node.start : node.end]
             raise read.source.refuse(
                 node.start,
-                f"{printed}: a power, which is one, or an upper index?",
+                f"{printed}: a power that equals one, or an upper index?",
                 f"Declare it in the block of letters: {printed} : its meaning",
             )
 

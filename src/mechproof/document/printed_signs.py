@@ -239,8 +239,8 @@ def _refuse_range(read: Print, chain: Chain, node: Extremum, known: Known) -> No
     if node.by.symbol in said:
         raise read.source.refuse(
             node.by.start,
-            f"a range of {node.by.text} that is not said where it is declared",
-            f"Say it in the block of letters behind {node.by.text}: {{0<{node.by.text}<1}}",
+            f"a range of {node.by.text} that is not given where it is declared",
+            f"Give it in the block of letters after {node.by.text}: {{0<{node.by.text}<1}}",
         )
 
 

@@ -229,7 +229,7 @@ def find_units(
     names = sorted(map(str, bare))
     told = ", ".join(names[:_TOLD]) + (" and others" if len(names) > _TOLD else "")
     mixed = _find_mixed(row, known.symbols.bare, papers[True])
-    return RowUnits(False, f"no unit is said of {told}", mixed)
+    return RowUnits(False, f"no unit is given for {told}", mixed)
 
 
 def _is_given_by_itself(sign: Sign, known: Known) -> bool:

@@ -187,7 +187,7 @@ class TaskMaker:
         """
         place = printed.locate(self.files)
         if sign.role is Role.VALUE and sign.letter not in {None, *self.known.values}:
-            reason = f"nothing else is printed of {sign.letter}"
+            reason = f"nothing else is printed about {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         at = {**list_values(row, self.known), **(local or {})}
         row, sign = self._specialise(self._restate(row, sign), sign, at)

@@ -90,20 +90,20 @@ PROVED_HEAD = (
 PROVED = """
 ## What is proved of rounding errors
 
-In eps of the scale. *at most*: proved over all that is named; *found*: the worst that any search
-met, one of them from the boxes with the largest bounds; beside them the worst on the sets of that
-way, in all its forms.
+In eps of the scale. *at most*: the bound proved over everything that is named; *found*: the worst
+error that any search found, one of them starting from the boxes with the largest bounds; after it
+the worst error of that way on the point sets, in all its forms.
 """
 INTRODUCTION = """# What the kernels and the other ways lose and cost
 
-Errors are taken against balls at the exact doubles, on the points of the reporting seed; the
-search climbed from the points of the tuning seed, by balls and by long doubles, and balls judged
-what it found. *scaled*: the error in units of 2**-52 times the scale named with each quantity,
-where the accuracy bound of the kernel holds (without such a bound in ulp of the value); the other
-columns are over all points. *bits*: log2(1 + ulps). Ways that share a line of errors have equal
-ones. Times are medians, in ns per point, of rounds in which all ways took turns; in brackets the
-ratio to the first way in the same round. Quartiles, errors set by set, and the times of NumPy's own
-functions are in the records beside.
+Errors are measured against balls at the exact doubles, on the points of the reporting seed. The
+search climbed from the points of the tuning seed, led by balls and by long doubles, and balls
+judged what it found. *scaled*: the error in units of 2**-52 times the scale named with each
+quantity, where the accuracy bound of the kernel holds (without such a bound, in ulp of the value);
+the other columns cover all points. *bits*: log2(1 + ulps). Ways listed in one line have equal
+errors. Times are medians, in ns per point, of rounds in which all ways took turns; in brackets is
+the ratio to the first way in the same round. Quartiles, errors set by set, and the times of NumPy's
+own functions are in the records in this folder.
 """
 
 

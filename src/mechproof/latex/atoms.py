@@ -185,7 +185,7 @@ def _enclose(parser: Parser, inside: tree.Node, start: int) -> tree.Node:
     is_open = parser.collects and _shows_determinant(parser)
     if is_open and isinstance(table, tree.Letter) and not parser.names.find_alike(table.symbol):
         raise parser.refuse(
-            f"bars around {table.text} beside a determinant: of a matrix, or an absolute value?",
+            f"bars around {table.text} next to a determinant: of a matrix, or an absolute value?",
             parser.remedies.name.format(table.text),
             start,
         )
@@ -205,7 +205,7 @@ def _refuse_bar_between_factors(parser: Parser) -> None:
     if "|" in parser.rest_of_member():
         raise parser.refuse(
             "upright bars around factors side by side: which belong together?",
-            r"Print \left| and \right|, or \cdot behind the bar.",
+            r"Print \left| and \right|, or \cdot after the bar.",
         )
 
 
@@ -240,7 +240,7 @@ def _read_count(parser: Parser) -> int:
         )
     number = read_number(parser, in_list=True)
     if not number.text.isdigit():
-        raise parser.refuse("a number of a row that is none", "", number.start)
+        raise parser.refuse("a row number that is not a whole number", "", number.start)
     return int(number.text)
 
 
@@ -255,7 +255,7 @@ def read_special_power(parser: Parser, base: tree.Node, start: int) -> tree.Node
         return tree.Transposed(base, start=start, end=parser.end)
     if is_plain and parser.collects and not parser.names.find("T"):
         raise parser.refuse(
-            "a power T: an exponent, or the transposed of a matrix?",
+            "a power T: an exponent, or the transpose of a matrix?",
             parser.remedies.name.format("T"),
         )
     is_ring = (

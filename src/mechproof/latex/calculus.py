@@ -186,7 +186,7 @@ def _refuse_factor_behind(parser: Parser) -> None:
     opened = parser.integrals.pop()
     if not parser.ends_product():
         raise parser.refuse(
-            "does this factor behind the differential belong to the integrand?",
+            "does this factor after the differential belong to the integrand?",
             "Print it before the differential, or brackets around the integral.",
         )
     parser.integrals.append(opened)

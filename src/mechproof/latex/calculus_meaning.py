@@ -152,7 +152,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
         raise meaning.source.refuse(
             node.of.start,
-            f"{variable} does not stand in what is differentiated: does it depend on it?",
+            f"{variable} does not appear in the differentiated expression: does that depend on it?",
             _advise_dependence(meaning, node),
         )
     if any(depends_on & part.free_symbols for part in value.atoms(*UNSMOOTH)):
@@ -223,7 +223,7 @@ def _give_any(
     order = meaning.of(printed)
     if not (order.is_integer and order.is_nonnegative) or order.has(variable):
         raise meaning.source.refuse(
-            printed.start, "a derivative whose order does not count", meaning.remedies.name
+            printed.start, "a derivative whose order is not a whole number", meaning.remedies.name
         )
     if depends_on & value.free_symbols != {variable} or value.has(*OF_SIGNS):
         raise meaning.source.refuse(
@@ -265,7 +265,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     if node.is_found and variable in meaning.values:
         raise meaning.source.refuse(
             node.start,
-            f"limits behind {variable}, which is given by others: of which letter?",
+            f"limits after {variable}, which is given by others: limits of which letter?",
             r"Print the letter: \right|_{x=0}^{x=1}.",
         )
     before = {*meaning.lost}
@@ -290,7 +290,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     if is_open:
         raise meaning.source.refuse(
             node.start,
-            f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",
+            f"the text does not say what {min(map(str, unknown))} is for {variable} = {point}",
             f"Print it as a function of {variable}, or skip the row in the block of letters.",
         )
     return value

@@ -132,7 +132,7 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     inside = tree.strip(bracket)
     if is_square and isinstance(inside, tree.Number) and parser.text in _BRACKETS:
         raise parser.refuse(
-            "a number in square brackets behind a function: its power, or its argument?",
+            "a number in square brackets after a function: its power, or its argument?",
             r"Print \sin^2(x) for the power, \cdot before the next bracket for the argument.",
             start,
         )
@@ -146,7 +146,7 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
         return (phase,)
     if is_phase or _may_count(parser, inside):
         raise parser.refuse(
-            "what stands behind a bracket: a factor, or part of the argument?",
+            "after the bracket: a factor, or part of the argument?",
             "Print brackets around the argument, or a dot before a factor; units of the letters "
             "tell, too.",
         )
@@ -201,7 +201,7 @@ def _read_short(parser: Parser) -> tree.Node:
     argument = _read_phase(parser, factors)
     if parser.text in DOTS and _goes_on(parser, factors[-1], parser.place + 1):
         raise parser.refuse(
-            "a dot behind the argument of a function: does the argument go on?",
+            "a dot after the argument of a function: does the argument go on?",
             r"Print \cos(n\cdot\varphi) if it does, \varphi\cos n if not.",
         )
     if (

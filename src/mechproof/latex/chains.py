@@ -43,7 +43,7 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
         if line.arrow and set(statements[-1].relations) - {"=", r"\equiv", r"\le", r"\ge"}:
             raise parser.refuse(
                 f"{line.arrow.text} has no meaning here",
-                r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+                r"Print the conclusion, and its condition after it: \text{ for }x>0.",
                 line.arrow.start,
             )
         parser.begin(line.tokens, _find_end(parser, behind))
@@ -61,7 +61,7 @@ def _find_end(parser: Parser, behind: Line | None) -> int:
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
     """Read all chains of a line."""
     if parser.text in (*IF, r"\forall") and not (_skip_membership(parser) and parser.skip(",")):
-        raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
+        raise parser.refuse("a condition before what it is a condition of", "Print it after that.")
     parts = [ChainPart(_read_chain(parser))]
     while parser.text:
         if parser.skip(",", ";"):

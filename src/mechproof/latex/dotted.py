@@ -59,7 +59,7 @@ def _refuse_number_behind(parser: Parser) -> None:
     """Refuse a number after the last term, which may be a part of it: n-1."""
     if parser.text in parser.signs and is_digit(parser.peek()):
         raise parser.refuse(
-            f"{parser.text}{parser.peek()} behind the last term: is it a part of that?",
+            f"{parser.text}{parser.peek()} after the last term: is it part of that term?",
             "Print brackets around the last term, (n-1), or the number before the dots.",
         )
 

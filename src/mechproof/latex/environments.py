@@ -52,7 +52,7 @@ def _read_table(parser: Parser, kind: str) -> Table:
             entries.append(_read_entry(parser))
         rows.append(tuple(entries))
         if not parser.skip(r"\\") and parser.text != rf"\end{{{kind}}}":
-            raise parser.refuse("a matrix goes on in an unknown way")
+            raise parser.refuse("a matrix is continued in an unknown way")
     parser.depth -= 1
     if len({len(row) for row in rows}) != 1:
         raise parser.refuse("the rows of a matrix are not equally long", place=start)
@@ -63,7 +63,7 @@ def _read_entry(parser: Parser) -> Node:
     r"""Read an entry; numbers separated by gaps, `0 \; 0`, are a row of a block."""
     if parser.text in _DOTS or [token.text for token in parser.rest[:2]] == [".", "."]:
         raise parser.refuse(
-            "dots for entries of a matrix: how many they are is not said",
+            "dots for entries of a matrix, whose number is not given",
             "Print all entries, for a certain number of them.",
         )
     if parser.text in ("&", r"\\") or parser.text.startswith(r"\end{"):
@@ -105,7 +105,7 @@ def read_cases(parser: Parser, start: int) -> Cases:
     otherwise = None
     while not parser.text.startswith(r"\end{"):
         if otherwise is not None:
-            raise parser.refuse("a case behind the value elsewhere")
+            raise parser.refuse("a case after the value for all others")
         parser.skip("&")
         value = None if parser.skip(*UNDEFINED) else parser.read_sum()
         _skip_marks(parser)

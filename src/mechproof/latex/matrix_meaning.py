@@ -109,7 +109,9 @@ def give_excerpt(meaning: Meaning, node: Excerpt) -> Any:
     """Return rows and columns of a matrix."""
     whole = meaning.of(node.of)
     if not is_matrix(whole):
-        raise meaning.source.refuse(node.start, "rows and columns of what is no matrix", ENTRIES)
+        raise meaning.source.refuse(
+            node.start, "rows and columns of something that is not a matrix", ENTRIES
+        )
     try:
         return cut(whole, node.ranges)
     except ValueError as error:
@@ -126,7 +128,7 @@ def give_magnitude(meaning: Meaning, node: Magnitude) -> sp.Expr:
     if not is_matrix(inside):
         return sp.Abs(inside)
     if 1 not in inside.shape:
-        raise meaning.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
+        raise meaning.source.refuse(node.start, "a matrix where a number is expected", ENTRIES)
     return sp.sqrt(sp.Add(*(entry**2 for entry in show_entries(inside))))
 
 
@@ -134,7 +136,9 @@ def give_transposed(meaning: Meaning, node: Transposed) -> Any:
     """Return the transpose of a matrix."""
     whole = meaning.of(node.of)
     if not is_matrix(whole):
-        raise meaning.source.refuse(node.start, "the transposed of what is no matrix", ENTRIES)
+        raise meaning.source.refuse(
+            node.start, "the transpose of something that is not a matrix", ENTRIES
+        )
     return whole.T
 
 

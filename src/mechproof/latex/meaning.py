@@ -156,7 +156,7 @@ class Meaning:
         """Return a value that has to be a scalar; raises `ReadingError` for a matrix."""
         if matrix_meaning.is_matrix(found):
             raise self.source.refuse(
-                node.start, "a matrix where a number is meant", matrix_meaning.ENTRIES
+                node.start, "a matrix where a number is expected", matrix_meaning.ENTRIES
             )
         return found
 

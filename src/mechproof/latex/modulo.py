@@ -33,7 +33,7 @@ def read_remainder(parser: Parser, number: Node, before: str) -> Node:
     by = parser.read_product()
     if is_sum or parser.text in parser.signs:
         raise parser.refuse(
-            "a remainder beside a sum: of all of it, or of its last term?",
+            "a remainder next to a sum: of the whole sum, or of its last term?",
             r"Print brackets: (a+b)\bmod n, a+(b\bmod n).",
             number.start,
         )

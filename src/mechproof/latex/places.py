@@ -79,7 +79,7 @@ def read_between(parser: Parser, term: Node) -> Node:
     by = by or _find_moving(parser, term)
     if by is None:
         raise parser.refuse(
-            "limits behind a term: of which letter are they?",
+            "limits after a term: limits of which letter?",
             r"Print the letter: \right|_{x=0}^{x=1}.",
             start,
         )
@@ -125,7 +125,7 @@ def _read_values(parser: Parser, term: Node) -> Node:
     while True:
         by = parser.read_atom()
         if not isinstance(by, Letter) or by.indices:
-            raise parser.refuse("a place is said by a letter: x=0", place=by.start)
+            raise parser.refuse("a place is given by a letter: x=0", place=by.start)
         parser.take("=")
         point = parser.read_sum()
         if not parser.skip(","):

@@ -128,7 +128,7 @@ def _read_order(node: tree.Node, parser: Parser) -> int | tree.Node:
     if isinstance(node, tree.Letter | tree.Add | tree.Product):
         return node
     if not isinstance(node, tree.Number) or node.text not in ("1", "2", "3", "4"):
-        reason = "a derivative whose order is none of 1, 2, 3, 4, and no letter"
+        reason = "a derivative whose order is neither 1, 2, 3 or 4 nor a letter"
         raise parser.refuse(reason, place=node.start)
     return int(node.text)
 
@@ -328,7 +328,8 @@ def _make_factorial(argument: sp.Expr) -> sp.Expr:
         raise MeaningError(f"a factorial {below}, and this is that of {argument}")
     if not argument.is_integer:
         raise MeaningError(
-            f"a factorial of what is no whole number, {argument}: print the gamma function, "
-            rf"\Gamma({argument + 1}), or say that its letter counts"
+            f"a factorial of something that is not a whole number, {argument}: "
+            rf"print the gamma function, \Gamma({argument + 1}), "
+            "or declare its letter as a natural number"
         )
     return sp.factorial(argument)

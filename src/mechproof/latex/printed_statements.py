@@ -106,7 +106,9 @@ def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> St
         sides = sides[::-1]
     node = next(node for node in members.nodes if isinstance(node, Extremum))
     if sign != "=" or all(isinstance(node, Extremum) for node in members.nodes):
-        raise ValueError(f"row {row.number!r}: one \\{node.name} is read, beside an equals sign")
+        raise ValueError(
+            f"row {row.number!r}: one \\{node.name} is read, on one side of an equals sign"
+        )
     within = next((v.within for v in reader.variables if v.symbol == node.by.symbol), sp.S.Reals)
     stated = state_extremum(node, sides, reader.values, within)
     if stated is None:

@@ -173,8 +173,8 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
             conditions.append(part.chain)
         elif conditions or (own and not part.chain.condition):
             raise parser.refuse(
-                "an equation behind a condition: is it meant under the condition, too?",
-                "Print one equation at a time, its condition behind it.",
+                "an equation after a condition: does the condition apply to it, too?",
+                "Print one equation at a time, its condition after it.",
                 part.chain.start,
             )
         else:
@@ -271,7 +271,7 @@ def _refuse_leading_condition(parser: Parser, statements: Sequence[Chain]) -> No
     if _is_inequality(first) and not all(_is_inequality(one) for one in statements):
         raise parser.refuse(
             "a relation before an equation: its condition, or a claim of its own?",
-            r"Print a condition behind the equation: …,\quad x>0; claims one at a time.",
+            r"Print a condition after the equation: …,\quad x>0; claims one at a time.",
             first.start,
         )
 

@@ -113,8 +113,8 @@ class _Normaliser:
             return True
         if left_scripts.is_power(inside):
             raise self._refuse(
-                "a script behind a gap: of what stands before it, or of the letter behind it?",
-                r"Print x^2\cdot y for a power, x\cdot{}^2y for a script at the left.",
+                "a script after a gap: of what precedes it, or of the letter after it?",
+                r"Print x^2\cdot y for a power, x\cdot{}^2y for a script on the left.",
             )
         return True
 
@@ -215,7 +215,7 @@ class _Normaliser:
         for bracket in brackets:
             raise self.source.refuse(
                 bracket.start,
-                "a bracket behind the digits of a number: how uncertain it is, or a factor?",
+                "a bracket after the digits of a number: its uncertainty, or a factor?",
                 r"Print the number alone, or a product outside of \num and \SI.",
             )
         inner = inner[1:] if inner[:1] and inner[0].text == "+" else inner

@@ -46,10 +46,10 @@ _UNREAD = {
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
-    **dict.fromkeys(RELATIONS, "Enter the chain as a whole, with what stands before this sign."),
+    **dict.fromkeys(RELATIONS, "Enter the whole chain, with what comes before this sign."),
     **dict.fromkeys(
         (r"\Rightarrow", r"\implies"),
-        r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+        r"Print the conclusion, and its condition after it: \text{ for }x>0.",
     ),
     **dict.fromkeys(
         EQUIVALENCES, r"Print one equation at a time, or \Rightarrow before one that follows."
@@ -68,7 +68,7 @@ def read_undeclared(parser: Parser) -> Node:
         raise parser.refuse("dots for what was printed before", "Enter the chain as a whole.")
     if text[1:] in AMBIGUOUS:
         raise parser.refuse(
-            f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be said",
+            f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be stated",
             parser.remedies.function.format(text[1:]),
         )
     word = _upright_word(parser)
@@ -115,7 +115,7 @@ def _refuse_unit(parser: Parser, word: str) -> None:
     inside = word.partition("{")[2].strip("}")
     if inside and is_digit(before) and is_unit(inside) and inside not in _LETTERS:
         raise parser.refuse(
-            f"{word} behind a number: units are not read",
+            f"{word} after a number: units are not read",
             "Print the number alone, in the unit of the sizes (mm, rad); 30^\\circ for degrees.",
         )
 

@@ -35,20 +35,20 @@ SECTIONS = (
 )
 # Characters with a meaning in Markdown, and how they are escaped.
 MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
-AT_HAND = """“The text at hand”, or “the transcription”, is what was read of a paper: without its
-figures and its list of references, and with what a scan has lost. What is not in it may stand in
-the paper."""
+AT_HAND = """“The text at hand”, or “the transcription”, is the part of a paper that was read,
+without its figures and its list of references, and without what a scan has lost. What is missing
+from it may still be in the paper."""
 INTRODUCTION = f"""# Ledger
 
-What is wrong, ambiguous or missing in print comes first, each cause once and the gravest first: the
-findings. What their mends take out of a print is red, what they put in is green. Then every printed
-equation and every checkable claim of the papers, with the verdict that `mechproof verify` computes.
-This page is generated; the same findings and rows are in `ledger.json`, by the `id` that is also
-the anchor of a row here, behind `LEDGER.md#`. "Read as" is what was read from the print and judged;
-rows marked *as typed* were typed by hand. A rung is the way in which a row was decided; the last
-section explains each. The last column says which script of `mechproof certify` proves a row once
-more with Coq, or why there is none ([COQ.md](COQ.md)). The formulas of what is proved, and what
-they were compared with, are folded away below each table.
+The findings come first: what is wrong, ambiguous or missing in print, each cause once and the
+gravest first. In a correction, red is what it removes from the print and green what it adds. Then
+follows every printed equation and every checkable claim of the papers, with the verdict that
+`mechproof verify` computes. This page is generated; the same findings and rows are in
+`ledger.json`, under the `id` that is also a row's anchor here, after `LEDGER.md#`. "Read as" is
+what was read from the print and judged; rows marked *as typed* were typed by hand. A rung is the
+method by which a row was decided; the last section explains each. The last column says which script
+of `mechproof certify` proves the row again in Coq, or why there is none ([COQ.md](COQ.md)). The
+proved formulas, and what they were compared with, are folded away below each table.
 
 {AT_HAND}
 

@@ -173,7 +173,7 @@ def _read_letters(line: str) -> list[Declared]:
         )
     (right,) = rest
     if right.count("{") != right.count("}"):
-        raise ValueError("behind the colon a brace is not closed, or not opened")
+        raise ValueError("after the colon a brace is not closed, or not opened")
     braces = _CONDITIONS.search(right)
     right = right[: braces.start()] if braces else right
     found = _UNIT.search(right)

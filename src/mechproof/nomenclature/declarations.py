@@ -101,7 +101,9 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     for name in (*block.branches, *block.natural, *block.integer):
         with block.blame(name):
             if name not in symbols:
-                raise ValueError(f"{name} is said to be a branch or to count: it is not declared")
+                raise ValueError(
+                    f"{name} is named as a branch or as a whole number, but it is not declared"
+                )
     if len(block.branches) == 1 and block.branches[0] in symbols:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
@@ -144,7 +146,7 @@ def _find_function(latex: str) -> Callable[..., sp.Expr]:
     """Return the function with a printed name; raises `ValueError` if it is unknown."""
     name = latex.strip().removeprefix("\\")
     if name not in FUNCTIONS:
-        raise ValueError(f"function: {latex} is none of the functions that are read")
+        raise ValueError(f"function: {latex} is not one of the functions that are read")
     return FUNCTIONS[name]
 
 

@@ -38,7 +38,7 @@ def narrow(
         found = _solve(relation, symbol) if alone else None
         inside = None if found is None else sets[symbol].intersect(found)
         if inside is sp.S.EmptySet:
-            raise ValueError(f"no value of {symbol} meets all that is said of it")
+            raise ValueError(f"no value of {symbol} satisfies all that is declared of it")
         if isinstance(inside, sp.Interval | sp.FiniteSet):
             sets[symbol] = inside
         else:

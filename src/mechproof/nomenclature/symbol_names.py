@@ -122,7 +122,7 @@ def refuse_twins(
         other = met.setdefault(key, variable)
         if other is not variable:
             one, two = other.latex[0], variable.latex[0]
-            same = "is declared twice" if one == two else f"and {two} are too much alike"
+            same = "is declared twice" if one == two else f"and {two} are too similar"
             with blame(variable):
                 raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
 

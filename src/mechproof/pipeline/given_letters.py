@@ -45,7 +45,7 @@ def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
         found = _WITH_UNIT.fullmatch(text.partition("=")[2].strip())
         if found and is_unit(found[1]) and not {*found[1]} & {*letters}:
             raise ValueError(
-                f"--let {text}: {found[1]} behind a number: units are not read in a single "
+                f"--let {text}: {found[1]} after a number: units are not read in a single "
                 "equation, but in a paper; give the number alone, all of them in units that fit"
             )
 

@@ -268,7 +268,7 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
     for symbol in dict.fromkeys(defined):
         if symbol.name == "e":
             raise ValueError(
-                r"e stands alone on a side: Euler's number, or a letter? Print \mathrm{e} for the "
+                r"e is alone on one side: Euler's number, or a letter? Print \mathrm{e} for the "
                 "number; give the value of the letter by --let"
             )
         if symbol.name in bound:
@@ -286,7 +286,7 @@ def _refuse_open(rows: Sequence[Row], reader: Reader, running: Collection[sp.Bas
     r"""Refuse a function of a running variable where nothing runs, as in \int_0^1u'\,dx=u."""
     for side in (side for row in rows for side in reader.members(row)):
         if met := settle_all(side, reader.values).free_symbols & {*running}:
-            raise ValueError(f"nothing says at which {min(map(str, met))} to take a function")
+            raise ValueError(f"it is not stated at which {min(map(str, met))} a function is taken")
 
 
 # Statements about letters -----------------------------------------------------------------------
@@ -306,7 +306,7 @@ def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reade
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
-            "C beside an integral without limits is undetermined: give --let 'C=0', or its value "
+            "C next to an integral without limits is undetermined: give --let 'C=0', or its value "
             "where the integral starts."
         )
 

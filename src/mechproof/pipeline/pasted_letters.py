@@ -218,7 +218,7 @@ def _declare(
     for variable in variables:
         (latex,) = variable.latex
         if (other := met.setdefault(name_symbol(str(variable.symbol)), latex)) != latex:
-            raise ValueError(f"{other} and {latex} are too much alike: print another letter")
+            raise ValueError(f"{other} and {latex} are too similar: print another letter")
     return variables
 
 
@@ -304,13 +304,13 @@ def describe(variable: Variable) -> str:
             "a vector of 3 real numbers" if variable.symbol.shape[1] == 1 else "a real 3x3 matrix"
         )
     if isinstance(variable.given, AnyFunction):
-        return "any function that is smooth everywhere"
+        return "an arbitrary function, smooth everywhere"
     if variable.given is not None:
         return "Euler's number" if variable.given is sp.E else f"= {variable.given}"
     names = {
         sp.S.Reals: "real",
-        sp.S.Naturals: "a natural number, from 1 on",
-        sp.S.Naturals0: "a natural number, from 0 on",
+        sp.S.Naturals: "a natural number, 1 or more",
+        sp.S.Naturals0: "a natural number, 0 or more",
     }
     kind = names.get(variable.within, f"in {variable.within}")
     return f"{kind}, for each index" if isinstance(variable.symbol, sp.IndexedBase) else kind

@@ -54,10 +54,12 @@ def decide_any(
         if found := compare(one, other, domain, FEW).counterexample:
             reason = f"the two sides differ for {told}"
             if _list_names(sides[0]) != _list_names(sides[1]):
-                reason = f"it says what a function is: {reason}"
+                reason = f"it defines a function: {reason}"
                 return Answer(Verdict.UNDECIDED, "none", reason)
             return Answer(Verdict.REFUTED, "separating balls", reason, (found,))
-    return Answer(Verdict.UNDECIDED, "none", "it is not shown for all functions, nor for none")
+    return Answer(
+        Verdict.UNDECIDED, "none", "it was neither proved for all functions nor refuted for any"
+    )
 
 
 def _list_names(side: sp.Expr) -> set[str]:

@@ -242,7 +242,7 @@ def _report(answer: Answer, needs: Sequence[Slack]) -> Answer | None:
     if answer.verdict is not Verdict.PROVED:
         return None
     where = " and ".join(map(_write, needs))
-    reason = f"both sides agree where {where}, which is not said"
+    reason = f"both sides agree where {where}, which is not stated"
     return replace(answer, verdict=Verdict.UNDECIDED, reason=reason)
 
 

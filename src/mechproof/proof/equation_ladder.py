@@ -236,7 +236,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         if lack_values_alike(sides, domain):
             return _report_equal(sides, domain, rung, is_alike=True)
         needed = tell_needs([list_unshown(side, domain) for side in sides])
-        reason = f"both sides agree where {needed}, which is not said"
+        reason = f"both sides agree where {needed}, which is not stated"
         return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
     if example := comparison.counterexample or find_counterexample(sides, domain, settle_sides):
@@ -260,13 +260,13 @@ def _report_equal(
         return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
     needed = tell_needs(needs)
     if told := tell_jump(sides, domain):
-        return Answer(Verdict.UNDECIDED, rung, f"what is differentiated jumps: {told}")
+        return Answer(Verdict.UNDECIDED, rung, f"the differentiated function jumps: {told}")
     if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
     undefined = _cross_examine(*sides, part) if part else _find_break(sides, needs, domain)
     if undefined:
         reason = f"both sides agree where both are defined, which fails at {undefined}"
-        unsaid = f"; what is not said: {needed}" if needed else ""
+        unsaid = f"; not stated: {needed}" if needed else ""
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"
     said = filter(None, (f"both sides agree {where}", tell_zero_quotients(sides, domain)))

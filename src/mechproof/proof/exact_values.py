@@ -46,7 +46,7 @@ def decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> A
     outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
     if not sides:
         is_settled = relation in (sp.true, sp.false)
-        told = "by what defines its letters it" if is_settled else clip(str(relation))
+        told = "with the definitions of its letters it" if is_settled else clip(str(relation))
         return Answer(verdicts[holds], RUNG, f"{told} {outcome}")
     values = [balls.evaluate(side, {}, 512) for side in sides]
     plain, enclosed = show_plainly(*values), balls.show_apart(*values)

@@ -168,7 +168,7 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
 def _leave_open(meant: str, answer: Answer, refuted: Answer) -> Answer:
     """Report a row that is false literally and undecided in its intended sense."""
     literal = tuple(replace(item, what=f"as it stands: {item.what}") for item in refuted.evidence)
-    reason = f"not true as it stands; {meant}, not proved: {answer.reason}"
+    reason = f"not true as printed; {meant}, not proved: {answer.reason}"
     return replace(answer, reason=reason, evidence=(*answer.evidence, *literal))
 
 

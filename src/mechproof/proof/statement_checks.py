@@ -122,7 +122,7 @@ def _check_names(
                 f"assumptions of it"
             )
         if not may_be_unknown:
-            raise RecordError(f"{name}: {symbol} is no declared symbol of the paper")
+            raise RecordError(f"{name}: {symbol} is not a declared symbol of the paper")
 
 
 def _check_bound(name: str, side: sp.Basic, domain: Domain) -> None:

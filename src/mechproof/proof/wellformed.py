@@ -103,7 +103,7 @@ def _find_missing_argument(printed: sp.Basic) -> Answer | None:
         return None
     names = ", ".join(sorted(str(function.args[0]) for function in functions))
     reason = f"{names} has no argument"
-    return _tell(reason, Evidence(f"nothing stands behind {names}"))
+    return _tell(reason, Evidence(f"nothing follows {names}"))
 
 
 def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Answer | None:

@@ -48,7 +48,7 @@ LEFT: Mapping[State, VerdictStyle] = {
     state: VerdictStyle("undecided", state.value, "!", meaning)
     for state, meaning in (
         (State.NOT_READ, "the print could not be read: why, and what would help, is shown"),
-        (State.NOT_JUDGED, "it was read, but nothing can be said of it: why is shown"),
+        (State.NOT_JUDGED, "it was read but could not be judged, for the reason shown"),
         (State.SKIPPED, "the block of letters says that it is not to be judged"),
     )
 }

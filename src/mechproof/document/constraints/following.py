@@ -114,7 +114,7 @@ def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement |
     domain = Domain.of(task.paper, task.row.on)
     solution = _solve(residuals[1:], _list_free(task.paper), _Divisors.of(residuals, domain))
     if solution is None:
-        return f"{names} cannot be solved for letters of which nothing else is said"
+        return f"{names} cannot be solved for letters that appear in no other equation"
     values, is_everywhere = solution
     rest = sp.cancel(residuals[0].xreplace(values))
     if rest.has(sp.nan, sp.zoo):

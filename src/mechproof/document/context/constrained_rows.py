@@ -88,7 +88,7 @@ def support_steps(at: Judging) -> Changes:
         if not (alone and alone.rung == GIVEN and task.sign.role is Role.STEP and binds(task)):
             continue
         if names := ", ".join(at.rows[m].name for m in list_following(n, at)):
-            reason = f"a constraint, taken as given, with which {names} was shown to follow"
+            reason = f"a constraint, taken as given, used to show that {names} holds"
             yield n, make_row(task, replace(alone, rung=SUPPORTED, reason=reason))
 
 

@@ -97,7 +97,10 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
     groups = (
         (doubted, "may be wrong itself"),
         (special, "is said of a case"),
-        ([one for one in behind if one.said.is_new], "is printed later, perhaps of a case"),
+        (
+            [one for one in behind if one.said.is_new],
+            "is printed later, perhaps for a special case",
+        ),
         (behind, "is printed later, and may be wrong itself"),
     )
     others = [one for one in tasks if one is not task and not holds_elsewhere(one, task)]
@@ -182,7 +185,9 @@ def doubt_by_rounded(at: Judging) -> Changes:
         used = list_used(task, at.tasks)
         names = [one.row.number for one in rounded if one is not task and defines(one, used)]
         if names and _differ_little(task):
-            reason = f"it differs by no more than the decimals of {', '.join(names)} may explain"
+            reason = (
+                f"it differs only as much as the rounded decimals of {', '.join(names)} may explain"
+            )
             yield n, make_row(task, reason)
 
 

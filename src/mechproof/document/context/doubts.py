@@ -97,7 +97,7 @@ def doubt_by_indices(at: Judging) -> Changes:
     for n, task in enumerate(at.tasks):
         if at.rows[n].outcome == Verdict.ILL_FORMED.value and (free := _list_indices(task)):
             names = ", ".join(sorted(map(str, free)))
-            reason = f"it holds for each {names}, as it seems: members of families are judged alone"
+            reason = f"it seems to hold for each {names}: members of a family are judged separately"
             yield n, make_row(task, reason)
 
 
@@ -135,7 +135,7 @@ def doubt_by_decimals(at: Judging) -> Changes:
             continue
         ratio = sp.cancel(one / other)
         if ratio.is_number and abs(ratio - 1) < ROUNDING:
-            yield n, make_row(task, f"it differs from {first} by no more than rounding may explain")
+            yield n, make_row(task, f"it differs from {first} only as much as rounding may explain")
 
 
 def doubt_by_rates(at: Judging) -> Changes:
@@ -154,9 +154,7 @@ def doubt_by_rates(at: Judging) -> Changes:
             and at.tasks[m].said.passage != task.said.passage
         ]
         if before:
-            reason = (
-                f"it differs from {before[-1]}, which has the same derivative: of another case?"
-            )
+            reason = f"it differs from {before[-1]}, which has the same derivative: another case?"
             yield n, make_row(task, reason)
 
 
@@ -199,7 +197,7 @@ def doubt_by_positions(at: Judging) -> Changes:
         used = [one for one in placed if one is not task and defines(one, letters)]
         if len({one.said.scope for one in used}) > 1 and not holds_alone(task):
             names = ", ".join(one.row.number for one in used)
-            reason = f"it holds only if {names} hold together: are they said of one case?"
+            reason = f"it holds only if {names} hold together: are they about the same case?"
             yield n, make_row(task, reason)
 
 
@@ -287,7 +285,7 @@ def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
 
 def tell_contradiction(names: str) -> str:
     """Return the reason why a row and others cannot all be true of one case."""
-    return f"it and {names}{CONTRADICTING}: one is wrong, or of another case"
+    return f"it and {names}{CONTRADICTING}: one of them is wrong or about another case"
 
 
 def is_linear(expression: sp.Expr, letter: sp.Basic | None) -> bool:

@@ -132,8 +132,8 @@ def tell_misprint(
     rows = (tasks[m] for m in proved)
     alike = [row.row.number for row in rows if _is_multiple(one - other, row.residual)]
     if alike:
-        return f"it differs from {alike[0]}, which is proved: a misprint, or of another case?"
-    return write_sign(f"{misprint.change.reason}{compared_with}: of another case?")
+        return f"it differs from {alike[0]}, which is proved: a misprint, or another case?"
+    return write_sign(f"{misprint.change.reason}{compared_with}: another case?")
 
 
 def _is_multiple(rest: sp.Expr, residual: sp.Expr | None) -> bool:

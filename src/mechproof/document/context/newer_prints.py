@@ -178,7 +178,11 @@ def doubt_by_cases(at: Judging) -> Changes:
     for (n, others), answer in at.ask(judge_without, asked):
         if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
             names = ", ".join(tasks[m].row.number for m in others)
-            why = "printed later, perhaps of a case" if others[0] > n else "perhaps said of a case"
+            why = (
+                "printed later, perhaps for a special case"
+                if others[0] > n
+                else "perhaps about a special case"
+            )
             reason = f"it holds, but rests on {names}, which is {why}"
             if is_bare(tasks[others[0]]):
                 said = tasks[others[0]].row.printed_latex

@@ -145,7 +145,7 @@ def _find_scales(
     if turning and dimension == FREQUENCY and not (others or value.has(sp.pi)):
         return scales | dict.fromkeys(turning, sp.S.One), _MINUTE
     if turning and value.has(sp.pi) and has_sixty(value):
-        raise DimensionError("revolutions by the minute, which are turned or not")
+        raise DimensionError("revolutions per minute: converted to radians, or not?")
     return scales | dict.fromkeys(turning, sp.Rational(1, 60)), name_in_si(dimension)
 
 

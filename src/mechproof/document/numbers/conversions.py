@@ -23,10 +23,10 @@ from mechproof.record.parts import ANGLES, TURNING
 from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, is_share, read_unit
 from mechproof.statement_domains.domain import Domain
 
-UNFIT = "the unit behind the number is not that of its letters, or theirs are not declared"
+UNFIT = "the unit after the number is not that of its letters, or their units are not declared"
 _TURNED = "turns, or radians? no letter says in which of them the calculation counts"
-DEGREES = "it holds in degrees, which nothing says: print the sign ^\\circ behind its angles"
-NEAR = "it differs from the recomputed number, but by no more than rounding explains"
+DEGREES = "it holds only in degrees, which the text does not say: print ^\\circ after the angles"
+NEAR = "it differs from the recomputed number, but rounding may explain the difference"
 _DECIMAL = re.compile(r"\d\s*(?:\.|\{,\})\s*\d")
 _OPEN = "the two sides differ, but a decimal may have been rounded"
 

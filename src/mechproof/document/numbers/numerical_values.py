@@ -22,8 +22,8 @@ from mechproof.record.unit_notation import UNITS, Unit, read_unit, weigh
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
 _NOTE = "Compared as numbers in the units of their letters."
-OPEN = "the sides differ by a factor of {} only, which may turn units: in which are they meant?"
-_NEAR = "the sides differ by a factor of {:.6g} only, which rounding explains"
+OPEN = "the sides differ only by a factor of {}, which may convert units: which units are meant?"
+_NEAR = "the sides differ only by a factor of {:.6g}, which rounding explains"
 _AGAIN = (Role.REPEATED, Role.DERIVATIVE)
 _ROLES = (Role.STEP, Role.CONSTRAINT, *_AGAIN)
 # Factors between units are products of these primes, and larger than counts of parts.

@@ -38,7 +38,7 @@ from mechproof.sources.tabulars import TableCell, Tabular
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
 _NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
-_NEAR = "it differs from the recomputed number, but by no more than rounded sizes explain"
+_NEAR = "it differs from the recomputed number, but rounded sizes may explain the difference"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
 
@@ -73,7 +73,7 @@ class _Met:
 
 
 def _tell_lack(letters: str) -> str:
-    return f"the formula needs {letters}: neither in the table nor among the declared sizes"
+    return f"the formula needs {letters}: found neither in the table nor among the declared sizes"
 
 
 def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
@@ -166,10 +166,10 @@ class SizeTables:
         symbols = self.known.symbols
         if head.words:
             return (
-                f"{head.words!r} stands beside the letter: are its numbers computed, or measured?"
+                f"{head.words!r} appears next to the letter: are its numbers computed, or measured?"
             )
         if sum(other.symbol == head.symbol for other in grid.heads.values()) > 1:
-            return "two columns for one letter: which is computed?"
+            return "two columns for one letter: which one is computed?"
         for other in grid.heads.values():
             declared = symbols.find_dimension(other.symbol)
             if other.unit is None or declared is None:
