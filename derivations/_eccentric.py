@@ -114,7 +114,7 @@ def jerk_scale(factor: Expr, e: Symbol, x: Expr, eps_x: Expr, where: Steps = ())
     slope = spread**2 + 12 * e * cosine * spread + 24 * e**2 * sp.sin(x) ** 2
     larger = sp.Max(factor / spread**2, 4 * factor * e * sp.sin(x) ** 2 / spread**3)
     return Scale(
-        "the larger of the two terms, with 1 for cos(x), and what eps*x makes of them",
+        "the larger of the two terms, with 1 for cos(x), and the effect of eps*x",
         larger + factor * eps_x * sine * slope / spread**4,
         where,
     )

@@ -72,7 +72,7 @@ def test_a_header_says_what_is_computed_where_and_how_exactly() -> None:
         " *     ratio = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))",
         " *     k = R1/R2",
         " * Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.",
-        " * Accuracy: 10 eps of the value and what eps*x makes of it, where |x| <= 2**26 and",
+        " * Accuracy: 10 eps of the value and the effect of eps*x, where |x| <= 2**26 and",
     ):
         assert line in ratio
     assert "out_ratio: pure number" in ratio.partition("in one pass")[2]

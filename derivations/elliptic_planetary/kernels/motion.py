@@ -45,9 +45,9 @@ LOW_WORD = (
 SQUARE_OF_SPEED = R1 <= 10**130 * R2
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * sp.cos(x)) ** 2
 EPS_X = EPS * sp.Abs(x)
-RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
+RATIO_SCALE = Scale("the value and the effect of eps*x", RATIO + EPS_X * SLOPE / k)
 ACCELERATION_SCALE = Scale(
-    "the value and what eps*x makes of it", sp.Abs(ACCELERATION) + EPS_X * SLOPE
+    "the value and the effect of eps*x", sp.Abs(ACCELERATION) + EPS_X * SLOPE
 )
 
 # Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies

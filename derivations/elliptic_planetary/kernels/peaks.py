@@ -23,7 +23,7 @@ NO_UNDERFLOW = (sp.Or(sp.Eq(e, 0), sp.Ge(e, sp.Rational(1, 10**100))),)
 EITHER_TERM = jerk_scale(2 * e * k**3 * (1 - e**2), e, x, motion.EPS_X)
 # Next to the threshold, the remainder to half a turn goes with the root of 10 e - square.
 NEAR_THRESHOLD = Scale(
-    "the value and what the rounding of 10*e - square makes of it",
+    "the value and the effect of rounding 10*e - square",
     peaks.ANGLE_OF_JERK + 1 / (k * sp.sqrt(sp.Max(sp.Abs(10 * e - square), EPS))),
 )
 OF_SIZES = f"extremes of the derivatives of {motion.SOURCE}, equation (8)"

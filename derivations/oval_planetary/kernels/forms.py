@@ -214,7 +214,7 @@ EPS_X = EPS * sp.Abs(x)
 OF_X = ((k, GIVEN[k]), (x, GIVEN[x]))
 LEAD = sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
 RATIO_CYLINDRICAL_SCALE = Scale(
-    "the larger of 1 and 1 - value, and what eps*x makes of it",
+    "the larger of 1 and 1 - value, and the effect of eps*x",
     sp.Max(1, 1 - RATIO_CYLINDRICAL) + EPS_X * sp.Abs(sp.diff(RATIO_CYLINDRICAL, x)),
     OF_X,
 )
@@ -224,7 +224,7 @@ POSITION_CYLINDRICAL_SCALE = Scale(
     OF_X,
 )
 ACCELERATION_CYLINDRICAL_SCALE = Scale(
-    "the value and what eps*x makes of it",
+    "the value and the effect of eps*x",
     sp.Abs(ACCELERATION_CYLINDRICAL)
     + EPS_X * 4 * e2 * k**2 * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x)) ** 2,
     OF_X,

@@ -102,7 +102,7 @@ def tilt_for(
         on=on,
         accuracy=Accuracy(
             6,
-            Scale("the tilt and what eps*(error - offset) makes of it", tilt + over),
+            Scale("the tilt and the effect of eps*(error - offset)", tilt + over),
             (*MODERATE, is_moderate(error)),
         ),
     )

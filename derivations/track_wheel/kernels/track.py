@@ -25,7 +25,7 @@ RADIUS_ULP = 6
 # track: the radius, a sine and a product.
 TRACK_ULP = RADIUS_ULP + 1.5
 RUNNING = Scale(
-    "the radius and what eps*z*phi makes of it",
+    "the radius and the effect of eps*z*phi",
     sp.Abs(rho) * (1 + sp.Abs(THETA * amplitude * sp.sin(THETA) / root)),
     where=(
         (root, sp.sqrt(radius**2 - amplitude**2 * sp.sin(THETA) ** 2)),

@@ -46,10 +46,10 @@ DERIVATIVES = (
 SLOPES = (
     "At a kink a derivative is that on the side of the greater argument; at a pole it is infinite "
     "or NaN. Each is proved to follow from the definition by the chain rule. Accuracy is tested: "
-    "the error of an entry d is at most the stated multiple of eps = 2**-52 times its conditioning, "
+    "the error of an entry d is at most the stated multiple of eps = 2**-52 times its condition, "
     "|d| + the sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula, "
-    "plus, if the kernel's own error has a scale, that scale divided by the argument (the first "
-    "argument counts as at most 1 rad or mm)."
+    "plus, if the kernel's own error has a scale, that scale divided by the argument (the "
+    "first counts as at most 1 rad or mm)."
 )
 SCALES = "What errors are relative to:"
 PROVED = (
