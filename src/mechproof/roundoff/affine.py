@@ -1,8 +1,8 @@
-"""Affine: a map M*p + v of points, the norm of whose error is bounded by its roundings.
+"""Affine: a map M*p + v of points, and a bound on the norm of its error.
 
-Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`). A
-product and every sum it goes through add a rounding, whatever the order of the sums and whether
-they are fused: at most |p| times a matrix without signs.
+Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`). Each
+product, and every sum that it enters, adds a rounding, whatever the order of the sums and whether
+they are fused: at most |p| times a matrix of absolute values.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
 @dataclass(frozen=True)
 class AffineMap:
-    """The steps of a matrix, row by row, and of a shift; the names of points and of the shift."""
+    """The steps of a matrix, row by row; the names of a point's coordinates and of the shift's."""
 
     entries: StraightLineProgram
     points: tuple[str, ...]
@@ -37,7 +37,7 @@ class AffineMap:
         return [outputs[i * count : (i + 1) * count] for i in range(count)]
 
     def apply(self) -> StraightLineProgram:
-        """Return the steps that map a point, its products summed in one order."""
+        """Return the steps that map a point, its products summed in a fixed order."""
         steps: list[Step] = []
         outputs: list[Operand] = []
         for i, row in enumerate(self.rows):
@@ -63,7 +63,7 @@ class AffineMap:
         more = np.array([[np.broadcast_to(size, boxes) for size in row] for row in sizes])
         more = more * _add_roundings(count + 1)
         norm = bound_stretch(replace(moved, rest=moved.rest + more / EPS))
-        # The second factor is there as part of the roundings have already moved what is moved.
+        # The second factor is needed as other roundings have already moved what a rounding moves.
         norm = norm * (1 + EPS * len(self.entries.steps)) * (1 + 2 * EPS * norm)
         return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
 
@@ -77,7 +77,7 @@ class AffineMap:
 
 
 def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Basic]) -> sp.Expr:
-    """Return D of a scale D*|p| + |v|; ValueError for any other."""
+    """Return D of a scale D*|p| + |v|; ValueError for a scale of any other shape."""
     first, *others = points
     size = scale.subs({first: 1, **dict.fromkeys((*others, *shift), 0)})
     lengths = [sp.sqrt(sum(s**2 for s in symbols)) for symbols in (points, shift)]
@@ -92,5 +92,5 @@ def measure_norm(components: Sequence[Any], arithmetic: Arithmetic) -> Any:
 
 
 def _add_roundings(count: int) -> float:
-    """Bound the relative error of a number after so many roundings in a row."""
+    """Bound the relative error of a number after `count` roundings in a row."""
     return count * UNIT * (1 + EPS * count)

@@ -1,7 +1,7 @@
-"""Functions of small and of large angles: their monomials, whole turns taken off.
+"""Functions of small and of large angles: their monomials, after reduction by whole turns.
 
 A function that vanishes with its argument is its argument times a quotient that is monotone in
-its size, so that intervals of it stay narrow down to zero.
+the argument's size, so that its intervals stay narrow down to zero.
 """
 
 from __future__ import annotations
@@ -26,10 +26,11 @@ from mechproof.arithmetic.interval_functions import (
 from mechproof.arithmetic.intervals import ONE, PI, Ends, Interval, around, exactly
 from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 
-# Size of an angle, in radians, from which its tangent is taken through the reciprocal, which
-# vanishes at the pole.
+# Size of an angle, in radians, above which its tangent is computed by the cotangent, which vanishes
+# at the pole.
 STEEP = 0.9
-# Below this size, by Taylor, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16 of 1.
+# Below this size, by Taylor's theorem, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16
+# of 1.
 TINY = 1e-8
 SLOPES: Mapping[Function, Callable[[Interval], Interval]] = MappingProxyType(
     {arb.sin: cosine, arb.atan: lambda z: (ONE + z.power(2)).inverted()}
@@ -38,7 +39,7 @@ SLOPES: Mapping[Function, Callable[[Interval], Interval]] = MappingProxyType(
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle that is a power of a variable, and what is left of it after whole turns.
+    """An angle that is a power of a variable, and its residue after whole turns are taken off.
 
     If `is_half`, half a turn is taken off as well.
     """
@@ -49,26 +50,29 @@ class Turn:
     is_half: bool = False
 
     def holds(self, monomial: IntervalMonomial) -> bool:
-        """Say whether a monomial is a multiple of the angle."""
+        """Return whether a monomial is a multiple of the angle."""
         return monomial.powers == self.powers
 
     def count(self, monomial: IntervalMonomial, period: int) -> float:
-        """Return which multiple of the angle a monomial is, rounded to 1/period."""
+        """Return the factor by which a monomial is a multiple of the angle, rounded to 1/period."""
         return round(float(np.mean(monomial.span.low)) * period) / period
 
     def reduce(self, monomial: IntervalMonomial, period: int) -> IntervalMonomial:
-        """Return a multiple of the angle less multiples of pi/period."""
+        """Return a multiple of the angle less whole multiples of 2*pi/period.
+
+        Half turns taken off with `is_half` are not put back.
+        """
         nearest = self.count(monomial, period)
         over = (monomial.span - exactly(nearest)) * self.whole
         return self.residue.scaled(exactly(nearest)) + self.share(monomial.variables.constant(over))
 
     def share(self, monomial: IntervalMonomial) -> IntervalMonomial:
-        """Return a small part of the angle as a multiple of the powers that the residue has."""
+        """Return a small part of the angle with the residue's powers as common factors."""
         return monomial.over(self.residue.powers)
 
 
 def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> IntervalMonomial:
-    """Return a function's argument, reduced; `period` is the number of its periods in 2*pi."""
+    """Return a function's argument, reduced; `period` is the number of periods in 2*pi."""
     if turn is None or not turn.holds(monomial):
         return monomial
     z = turn.reduce(monomial, period)
@@ -83,11 +87,11 @@ def over_argument(exact: Function, z: Interval) -> Interval:
     found = first.union(last)
     if size.form is None:
         return found
-    # By the quotient rule. Where the argument may be zero this is not finite.
+    # By the quotient rule; not finite where the argument may be zero.
     low, high = Interval(size.low, size.low), Interval(size.high, size.high)
     if exact is arb.tan:
-        # Its series has no negative coefficient, so that it is convex and its slope is largest at
-        # the far end, and not negative.
+        # The series of tan(z)/z has no negative coefficient, so it is convex, and its slope is
+        # nowhere negative and largest at the far end.
         least, most = ((ONE + (z * q).power(2) - q) / z for z, q in ((low, first), (high, last)))
         slope = Interval(np.fmax(least.low, 0.0), most.high)
         return found.follow(size, (first, last), slope, 1)
@@ -100,7 +104,7 @@ def _quotient(exact: Function, size: Ends) -> Interval:
     tiny = size <= TINY
     safe = np.where(tiny, 1.0, size)
     found = apply(exact, safe) / Interval(safe, safe)
-    # 0/0 is not a number; below TINY the quotient is within a rounding of 1.
+    # 0/0 is NaN; below TINY the quotient is within a rounding of 1.
     near = around(1.0, TINY**2)
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
@@ -108,7 +112,7 @@ def _quotient(exact: Function, size: Ends) -> Interval:
 def take_odd(
     monomial: IntervalMonomial, exact: Function, enclose: Callable[[Interval], Interval], end: float
 ) -> IntervalMonomial:
-    """Take an odd function, function(z)/z monotone up to `end`, keeping the factors that vanish."""
+    """Return an odd function, function(z)/z being monotone up to `end`, with vanishing factors."""
     z = monomial.expanded()
     if any(monomial.powers) and min(monomial.powers) >= 0:
         inside = z.largest() < end
@@ -118,7 +122,7 @@ def take_odd(
 
 
 def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
-    """Return the tangent, near its pole through its reciprocal, which vanishes there."""
+    """Return the tangent, computed near a pole by its reciprocal, which vanishes there."""
     one = monomial.variables.constant(ONE)
     if turn and turn.is_half and turn.holds(monomial) and turn.count(monomial, 2) % 1:
         rest = _take_tangent(turn.reduce(monomial, 2))
@@ -137,7 +141,7 @@ def _take_tangent(monomial: IntervalMonomial) -> IntervalMonomial:
 
 def take_sine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the sine."""
-    # sin(z)/z falls up to 4.49, where tan z = z.
+    # sin(z)/z decreases up to 4.49, where tan z = z.
     return take_odd(reduce(monomial, turn, 1), arb.sin, sine, 4.0)
 
 
@@ -148,7 +152,7 @@ def take_cosine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomi
 
 
 def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
-    """Return the arctangent, also of the reciprocal of what vanishes."""
+    """Return the arctangent, also of reciprocals of values that may vanish."""
     if min(monomial.powers, default=0) < 0 and (sign := monomial.decide_sign()):
         inverse = monomial.variables.constant(ONE) / monomial
         quarter = PI * exactly(0.5 * sign)
@@ -157,7 +161,7 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
 
 
 def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:
-    """Return the angle of a point; not finite where it may be half a turn, or undefined."""
+    """Return the angle of a point; not finite where it may be half a turn or undefined."""
     above, ahead = y.expanded(), x.expanded()
     masks = (ahead.low > 0, above.low > 0, above.high < 0)
     right, up, down = masks[0], masks[1] & ~masks[0], masks[2] & ~masks[0]

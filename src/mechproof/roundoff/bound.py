@@ -1,12 +1,13 @@
-"""Bound: in, steps and boxes of variables; out, the most by which all roundings move the result.
+"""Bound: in, steps and boxes of variables; out, a bound on how far all roundings move the result.
 
-Each step is its operation times 1 + d with a d of its own. By the mean value theorem the error is
-at most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
-reverse over intervals that hold every such d, so no term of second order is left out. Rounding is
-Higham's standard model (2002, chapter 2). FPTaylor (Solovyev et al. 2018) bounds the same sum at d
-= 0 and adds a bound of the second order; here nothing is to be added. An error relative to the
-value adds up by condition numbers besides (`condition_numbers`): as all roundings grow from nothing
-the value changes by shares of itself, and a sum C of them makes exp(C) - 1 of it at most.
+Each step is its operation times 1 + d, with its own d. By the mean value theorem the error is at
+most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
+reverse over intervals that contain every such d, so no second-order term is lost. Rounding follows
+Higham's standard model (2002, chapter 2). FPTaylor (Solovyev et al. 2018) bounds the same sum at
+d = 0 and adds a bound of the second order; here there is none to add. An error relative to the
+value is also added up by condition numbers (`condition_numbers`): as all roundings grow from zero,
+the value changes by shares of itself, and shares with the sum C change it by a share of at most
+exp(C) - 1.
 """
 
 from __future__ import annotations
@@ -64,16 +65,16 @@ CONSTANT_BITS = 256
 # Functions whose values never exceed 1 in size.
 LIMITED = ("sin", "cos")
 UNKNOWN = exactly(math.nan)
-# The kinds of operations whose rounding can be bounded.
+# The kinds of operation whose rounding can be bounded.
 KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approximate"})
 
 
 @dataclass(frozen=True)
 class ErrorScale:
-    """What errors are relative to: a scale or the value, and whether it is at least the value.
+    """The quantity that errors are relative to: a scale, or the value itself if `scale` is None.
 
-    In absolute values: the value, if it is held, and `terms` add up to the scale, which is at least
-    each of `least`.
+    `holds_value` states that the scale is at least the value. In absolute values, `terms`, and the
+    value if it is held, add up to the scale; each of `least` is a lower bound of the scale.
     """
 
     scale: IntervalMonomial | None
@@ -83,9 +84,9 @@ class ErrorScale:
 
 
 class ErrorAnalysis:
-    """The steps over many boxes: values forward, derivatives in reverse.
+    """An analysis of steps over many boxes: values forward, derivatives in reverse.
 
-    If it `has_grids`, all inputs are doubles, except for those that are rounded first.
+    With `has_grids`, every input must be a double, unless it is rounded before any other use.
     """
 
     def __init__(
@@ -102,8 +103,8 @@ class ErrorAnalysis:
         self.variables, self.turn, self.held = variables, turn, straight.held
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, IntervalMonomial] = dict(given)
-        # The results as they are computed, their rounding known to be monotone; `values` also hold
-        # all that lies between these and the exact ones.
+        # Enclosures of the computed results, using that rounding is monotone; `values` also enclose
+        # everything between these and the exact results.
         self.computed = {
             name: UNKNOWN if name in self._scaled else monomial.expanded()
             for name, monomial in given.items()
@@ -118,7 +119,7 @@ class ErrorAnalysis:
             self._move(step, stated.get(step.result))
 
     def value(self, operand: Operand) -> IntervalMonomial:
-        """Return the monomial of a result, an input or a number."""
+        """Return the monomial that encloses a result, an input or a number."""
         if isinstance(operand, str):
             return self.values[operand]
         return self.variables.constant(exactly(operand))
@@ -131,7 +132,7 @@ class ErrorAnalysis:
         if step.kind == "small_tangent":
             self._take_small_tangent(step, given[0])
         elif step.kind in RESTS:
-            # The rest of a compensated operation counts as a value of its own, which no operand
+            # The rest of a compensated operation counts as an independent value, which no operand
             # moves.
             self._round(step, enclose_rest(given[2]), (None, None, None))
         elif step.kind in COMPARISONS or step.kind == CHOICE:
@@ -141,7 +142,7 @@ class ErrorAnalysis:
         else:
             exact, slopes = RULES[step.kind](self.turn, *given)
             if step.proved and step.ulps:
-                # Tables of functions of two arguments are looked up by their quotient.
+                # Error tables of functions of two arguments are indexed by the quotient.
                 error = self._look_up(step, given[0] / given[1] if given[1:] else given[0]) * EPS
                 self._add(
                     step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
@@ -150,10 +151,10 @@ class ErrorAnalysis:
                 self._round(step, stated or exact, slopes, self._are_exact(step, given))
 
     def _decide(self, step: Step, given: Sequence[IntervalMonomial]) -> None:
-        """Take the result of a comparison or a choice.
+        """Add the result of a comparison or a choice.
 
-        Where roundings may flip the test, the error may be as large as the difference of both sides
-        (Goubault and Putot 2013), besides their own errors.
+        Where roundings may flip the test, the error may be as large as the difference of the two
+        sides (Goubault and Putot 2013), in addition to their own errors.
         """
         exact, slopes = RULES[step.kind](self.turn, *given)
         jump: Ends = np.float64(0.0)
@@ -176,7 +177,7 @@ class ErrorAnalysis:
         self.values[step.result] = self.variables.constant(exact.union(exactly(double)))
 
     def _look_up(self, step: Step, monomial: IntervalMonomial) -> Ends:
-        """Return the proved bound of a function's error, in eps of its value."""
+        """Return the proved bound on a function's error, in eps of its value."""
         assert self._find_profile is not None
         error_table, argument = self._find_profile(step.proved), monomial.expanded()
         if error_table.is_of_angles:
@@ -186,7 +187,7 @@ class ErrorAnalysis:
         return error_table.of_size(argument.size())
 
     def _sum_all(self, operand: Operand) -> Ends:
-        """Bound the error of an operand; ValueError where some rounding is not counted."""
+        """Bound the absolute error of an operand; ValueError if held roundings are not counted."""
         if self.held:
             raise ValueError(f"{operand}: an argument may be off by what is held: {self.held}")
         return self.sum_errors(operand, ErrorScale(self._one, False)) * EPS
@@ -199,7 +200,7 @@ class ErrorAnalysis:
         self, step: Step, exact: IntervalMonomial, slopes: Slopes, is_exact: Mask = False
     ) -> None:
         if self._is_exact:
-            # Where nothing is rounded nobody asks between which doubles a rounding leads.
+            # Where nothing is rounded, the enclosure of the computed result is never used.
             self._add(step, exact, slopes, np.float64(0.0), None, UNKNOWN)
             return
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
@@ -208,7 +209,7 @@ class ErrorAnalysis:
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         if step.ulps <= HALF and step.kind in LIMITED:
-            # Correctly rounded, a value of at most 1 stays so; a library that is off by more may
+            # Correct rounding keeps a value of at most 1 at most 1; a less accurate library may
             # exceed it.
             found = RoundedEndpoints(within_one(found.span), lambda: 0.0)
         limit = None
@@ -221,8 +222,8 @@ class ErrorAnalysis:
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
             if step.result in self._scaled:
-                # The terms of a scaled result are doubles, too, but with a factor nobody knows
-                # their spacing.
+                # The terms of a scaled result are doubles too, but times an unknown factor, so
+                # their spacing is unknown.
                 limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
                 limit = take_least(limit, limit_by_terms(step.kind, given))
@@ -249,7 +250,7 @@ class ErrorAnalysis:
         absolute: Ends | None,
         computed: Interval,
     ) -> None:
-        """Add a step with the size of its error, relative to the value and absolute."""
+        """Record a step with bounds on its rounding error, relative to the value and absolute."""
         if step.result in self._scaled:
             computed = UNKNOWN
         self.rounded.append(RoundedStep(step, exact, slopes, relative, absolute))
@@ -258,17 +259,17 @@ class ErrorAnalysis:
         self.values[step.result] = moved
 
     def _take_small_tangent(self, step: Step, angle: IntervalMonomial) -> None:
-        """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
+        """Add a step that takes y for tan(y): off by at most a share y**2 where |y| <= 1."""
         size = angle.expanded().largest()
         off = np.where(size <= 1, size**2, np.nan) * (1 + EPS)
-        # With whole turns taken off it is small as a number, not as a share of the whole angle.
+        # Once reduced by whole turns it is a small number, not a small share of the whole angle.
         small = self.turn.share(angle) if self.turn else angle
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
         self._add(step, exact, (self._one + exact.power(2),), off, None, value.expanded())
 
     def _are_exact(self, step: Step, given: Sequence[IntervalMonomial]) -> Mask:
-        """Say where two doubles differ by at most a factor of two: their difference is exact."""
+        """Return where a subtraction is exact as its operands are within a factor of two."""
         if step.kind != "subtract" or step.result in self._scaled:
             return False
         one, other = (monomial.expanded() for monomial in given)
@@ -281,24 +282,24 @@ class ErrorAnalysis:
         if bar.terms and (bar.scale is None or np.any(bar.scale.is_wide)):
             shares = self._list_shares(output, bar).values()
             total = take_least(total, spread([*shares], len(bar.terms) + bar.holds_value))
-        # The first factor covers the roundings of the sum; the second is there because errors are
-        # relative to a value that part of the roundings have already moved.
+        # The first factor covers the roundings of the sum; the second is needed because errors are
+        # relative to a value that some of the roundings have already moved.
         total = total * (1 + EPS * len(self.rounded)) * (1 + 2 * EPS * total)
         return np.where(np.isfinite(total), total, np.inf)
 
     def compare(self, output: Operand, bar: ErrorScale) -> Ends:
-        """Bound the size of a computed output by a multiple of the scale."""
+        """Bound the size of a computed output, as a multiple of the scale."""
         assert bar.scale is not None
         return (self.value(output) / bar.scale).expanded().largest()
 
     def list_errors(self, output: Operand, bar: ErrorScale) -> dict[str, Ends]:
-        """Bound what each step adds to the error of an output, in eps of the scale."""
+        """Bound each step's contribution to the error of an output, in eps of the scale."""
         return {r: take_least(*found) for r, found in self._list_shares(output, bar).items()}
 
     def list_moves(self, output: Operand, scale: IntervalMonomial) -> dict[str, Interval]:
-        """Return how the largest rounding of each step moves an output, in eps of a scale.
+        """Return how far the largest rounding of each step moves an output, in eps of a scale.
 
-        The signs are those for one and the same rounding, whatever the output.
+        The signs refer to the same rounding of a step for every output, so moves can be combined.
         """
         inverse = self._one / scale
         return {
@@ -307,7 +308,7 @@ class ErrorAnalysis:
         }
 
     def _pass_back(self, output: Operand) -> Iterator[tuple[RoundedStep, IntervalMonomial]]:
-        """Yield the steps, last first, with the slope of an output by each."""
+        """Yield the steps, last first, each with the output's derivative with respect to it."""
         slopes = {output: self._one}
         # One backward pass serves all steps: when a step is met, its whole effect on the output is
         # known.
@@ -321,22 +322,22 @@ class ErrorAnalysis:
             for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
-                    # Added before any size is taken: the slopes of a value that is used twice may
-                    # cancel.
+                    # Summed before any absolute value is taken: the slopes of a value that is used
+                    # twice may cancel.
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
 
     def _list_shares(self, output: Operand, bar: ErrorScale) -> dict[str, list[Ends]]:
-        """Bound what each step adds, in eps of each quantity that the scale is at least."""
+        """Bound each step's contribution to the error, in eps of each lower bound of the scale."""
         scales = self._list_scales(output, bar)
         inverses = [self._one / scale for scale in scales]
-        # Relative to itself, the output has a condition number from the start: 1.
+        # The output's condition number with respect to itself is known from the start: 1.
         value = self.value(output)
         carried = CarriedConditions(output, [ONE if s is value else UNKNOWN for s in scales])
         errors: dict[str, list[Ends]] = {}
         numbers = None
         for rounded, slope in self._pass_back(output):
             if rounded.known is not None:
-                # The errors of constants are known, so that they add up with their signs.
+                # The errors of constants are known, so they add up with their signs.
                 part = (slope * rounded.exact).scaled(rounded.known)
                 numbers = part if numbers is None else numbers + part
                 continue
@@ -349,7 +350,7 @@ class ErrorAnalysis:
             if rounded.step.result == output and np.any(rounded.relative):
                 shares = errors[rounded.step.result]
                 if bar.holds_value:
-                    # The last rounding is a share of the value, and the scale is no less than the
+                    # The last rounding is a share of the value, and the scale is at least the
                     # value.
                     place = len(shares) - len(bar.terms) - 1
                     shares[place] = take_least(shares[place], rounded.relative / EPS)
@@ -362,7 +363,7 @@ class ErrorAnalysis:
         return errors
 
     def _compare_terms(self, step: Step, inverses: Sequence[IntervalMonomial]) -> Ends:
-        """Bound a sum by its terms, each as a multiple of what the scale is at least."""
+        """Bound a sum by its terms, each as a multiple of some lower bound of the scale."""
         if step.kind not in ("add", "subtract"):
             return np.inf
         a, b = (self.value(operand) for operand in step.operands)
@@ -370,14 +371,14 @@ class ErrorAnalysis:
             take_least(*((term * inverse).expanded().largest() for inverse in inverses))
             for term in (a, b)
         )
-        # The difference of two values of one sign is no larger than the larger of them.
+        # The difference of two values of the same sign is no larger than the larger of them.
         is_difference = a.decide_sign() * b.decide_sign() == (-1 if step.kind == "add" else 1)
         return np.maximum(one, other) if is_difference else one + other
 
     def _carry(
         self, rounded: RoundedStep, conditions: Sequence[Interval], carried: CarriedConditions
     ) -> None:
-        """Carry condition numbers on to the steps whose results this one takes."""
+        """Pass a step's condition numbers on to the steps that compute its operands."""
         step = rounded.step
         taken = [o if isinstance(o, str) and o in self._made else 0.0 for o in step.operands]
         if step.kind in RESTS or not any(taken):
@@ -387,7 +388,7 @@ class ErrorAnalysis:
         carried.carry(conditions, rounded.relative, taken, numbers)
 
     def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
-        """List what the scale is at least: the value, and terms that add up to it, among others."""
+        """List lower bounds of the scale: itself, the value, terms that add up to it, and so on."""
         scales = [bar.scale] if bar.scale else []
         value = self.value(output)
         if not bar.holds_value:

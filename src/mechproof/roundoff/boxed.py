@@ -1,9 +1,9 @@
-"""Boxed programs: in, steps and the box of their inputs; out, a bound of the error, and the worst.
+"""Boxed programs: in, steps and the box of their inputs; out, a bound on the error and the worst.
 
-The absolute error or that relative to the exact value, as FPTaylor (Solovyev et al. 2018) has them.
-Inputs are doubles, or real numbers whose rounding is a step of its own. Long doubles lead the climb
-to the worst input (`climb`), as for kernels (`worst`), and balls judge it. A real input is a double
-and a share of the way to where the next double begins.
+The error is absolute or relative to the exact value, as in FPTaylor (Solovyev et al. 2018). Inputs
+are doubles, or real numbers whose rounding is a separate step. Long doubles lead the climb to the
+worst input (`climb`), as for kernels (`worst`), and balls judge it. A real input is represented by
+a double and a share of the way to the midpoint between it and the next one.
 """
 
 from __future__ import annotations
@@ -51,16 +51,16 @@ Range = tuple[Fraction, Fraction]
 BITS = 256
 DRAWN, SEED = 400, 1
 BY_LONG_DOUBLES, ROUNDS = Schedule(300, 4), 100
-# Largest share of the way to where the next double begins: nearer to it a real number might be
-# rounded to that double.
+# Largest share of the way to the midpoint between two doubles: nearer to it, a real number might be
+# rounded to the other double.
 NEAREST = 1 - 2.0**-20
 
 
 @dataclass(frozen=True)
 class Convention:
-    """What counts as the error: whether inputs are rounded, and if it is relative to the value.
+    """What counts as the error: whether inputs are rounded, and whether it is relative.
 
-    `ulps` is the largest error of a function of a library, in ulps of its result.
+    `ulps` is the largest error assumed of a library function, in ulps of its result.
     """
 
     rounded_inputs: bool = False
@@ -74,7 +74,7 @@ class Convention:
 
 @dataclass(frozen=True)
 class BoxedProgram:
-    """Steps with one output, the ranges of its inputs, and the box of doubles that has them."""
+    """Steps with one output, the exact ranges of its inputs, and the box of doubles for them."""
 
     straight: StraightLineProgram
     ranges: Mapping[str, Range]
@@ -82,7 +82,7 @@ class BoxedProgram:
     convention: Convention
 
     def bound(self, boxes: Boxes) -> Array:
-        """Bound the error over boxes, as a number or a share of the value; infinite if unknown."""
+        """Bound the error over boxes, absolute or as a share of the value; infinite if unknown."""
 
         def compute(part: Boxes, forced: tuple[int, ...]) -> Array:
             analysis = self._analyse(part, forced)
@@ -91,7 +91,7 @@ class BoxedProgram:
             bar = ErrorScale(None, True) if relative else ErrorScale(one, False)
             return np.broadcast_to(analysis.sum_errors(self.straight.outputs[0], bar), len(part))
 
-        # EPS is a power of two, so that this product is exact.
+        # EPS is a power of two, so this product is exact.
         return bound_in_groups(compute, boxes) * EPS
 
     def _analyse(self, boxes: Boxes, forced: tuple[int, ...]) -> ErrorAnalysis:
@@ -104,7 +104,7 @@ class BoxedProgram:
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """List what the bound rests on."""
+        """List the assumptions that the bound rests on, as texts."""
         kinds = sorted({step.kind for step in self.straight.steps} & FUNCTIONS.keys())
         within = f"{self.convention.ulps:g} ulp"
         return (*(f"{kind} within {within}" for kind in kinds), NORMAL)
@@ -113,7 +113,7 @@ class BoxedProgram:
 def put_in_box(
     straight: StraightLineProgram, ranges: Mapping[str, Range], convention: Convention
 ) -> BoxedProgram:
-    """Return a program over a box; ValueError for operations without a rule, and empty ranges."""
+    """Return a program over a box; ValueError for operations without a rule or empty ranges."""
     if not straight.inputs:
         raise ValueError("it has no letter, so that there is no box to bound it over")
     if unknown := sorted({step.kind for step in straight.steps} - KINDS):
@@ -129,9 +129,9 @@ def put_in_box(
 
 
 def _state_error(step: Step, convention: Convention) -> Step:
-    """Return a step with what is known of its error; a quotient of two numbers becomes one number.
+    """Return a step with the error that a convention states; a quotient of numbers is one number.
 
-    Rounded to nearest, such a quotient is the double that is nearest to the fraction.
+    Rounded to nearest, such a quotient is the double nearest to the fraction.
     """
     if step.kind == "divide" and not any(isinstance(o, str) for o in step.operands):
         above, below = (Fraction(o) for o in step.operands)
@@ -146,7 +146,7 @@ def _round_inputs(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _enclose(name: str, ends: Range, convention: Convention) -> Side:
-    """Return the outermost doubles in a range or, if inputs are rounded, those around it."""
+    """Return the outermost doubles within a range or, if inputs are rounded, those enclosing it."""
     low, high = (float(end) for end in ends)
     inward = not convention.rounded_inputs
     if low != ends[0] and (low < ends[0]) is inward:
@@ -160,14 +160,14 @@ def _enclose(name: str, ends: Range, convention: Convention) -> Side:
 
 @dataclass(frozen=True)
 class WorstInput:
-    """The exact inputs that were found, and the error there, absolute or relative."""
+    """The exact inputs of the worst error found, and that error, absolute or relative."""
 
     error: float
     at: Mapping[str, Fraction]
 
 
 def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput | None:
-    """Climb from points of boxes; None where no point of them has a finite error."""
+    """Return the worst input found by a climb from points of boxes; None without a finite error."""
     rng = np.random.default_rng(SEED)
     count = len(program.box)
     columns = [np.concatenate([_draw(box[i], rng) for box in boxes]) for i in range(count)]
@@ -192,7 +192,10 @@ def find_worst_input(program: BoxedProgram, boxes: Sequence[Box]) -> WorstInput 
 
 
 def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
-    """Return the error at exact inputs, measured in balls; -1 outside the ranges or near zero."""
+    """Return the error at exact inputs, measured in balls; -1 outside the ranges.
+
+    Also -1 for results that are not finite or below the normal range.
+    """
     if any(not low <= at[name] <= high for name, (low, high) in program.ranges.items()):
         return -1.0
     given = {name: np.float64(float(value)) for name, value in at.items()}
@@ -208,19 +211,19 @@ def measure(program: BoxedProgram, at: Mapping[str, Fraction]) -> float:
         exact = look_up(values, program.straight.outputs[0], IN_BALLS)
         error = abs(arb(float(found)) - exact)
         error = error / abs(exact) if program.convention.relative else error
-        # The lower end of the ball: the error is certainly as large as that.
+        # The lower end of the ball: the error is certainly at least that.
         return float(error.lower()) if error.is_finite() else -1.0
 
 
 def _draw(side: tuple[float, float], rng: np.random.Generator) -> Array:
-    """Draw doubles of a side, its ends among them."""
+    """Draw doubles from a side, including its ends."""
     drawn = rng.uniform(*side, DRAWN)
     drawn[:2] = side
     return np.clip(drawn, *side)
 
 
 def _take_exactly(point: Sequence[float], count: int) -> Iterator[Fraction]:
-    """Yield the real numbers that doubles and shares of the way to the next ones stand for."""
+    """Yield the real numbers represented by doubles and shares of the way to the next midpoints."""
     shares = point[count:] or [0.0] * count
     for double, share in zip(point[:count], shares, strict=True):
         share = min(max(share, -NEAREST), NEAREST)

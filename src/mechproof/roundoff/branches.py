@@ -1,8 +1,8 @@
-"""Branches: in, steps that choose by the sign of one of them; out, the steps of either sign.
+"""Branches: in, steps that choose by the sign of one result; out, the steps for either sign.
 
-Where a number and its sign are rounded, either branch may be computed. Where both are proved to be
-the same function in exact arithmetic, each can be bounded wherever it may be taken. Other choices
-stay among the steps, with the jump from one to the other where roundings may turn the test.
+Roundings may change that sign, so that either branch may be computed. If both are proved to be the
+same function in exact arithmetic, each can be bounded wherever it may be taken. Other choices stay
+among the steps, with a jump between the sides where roundings may flip the test.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
 
 @dataclass(frozen=True)
 class Branch:
-    """Steps without a choice, taken where the tested result is not negative, or is negative."""
+    """Steps that are taken where the result `tested` is not negative or, by flag, negative."""
 
     straight: StraightLineProgram
     tested: str = ""
@@ -34,11 +34,11 @@ class Branch:
 
     @property
     def test(self) -> StraightLineProgram:
-        """Return the steps of the result that decides."""
+        """Return the steps that compute the tested result."""
         return keep_needed(replace(self.straight, outputs=(self.tested,), held=(), scaled=()))
 
     def find_taken(self, computed: IntervalMonomial) -> Mask:
-        """Say where the branch may be taken, by what the tested result may be as it is computed."""
+        """Return where the branch may be taken, by an enclosure of the computed tested result."""
         variables, powers = computed.variables, computed.powers
         if not variables.is_positive(powers):
             return True
@@ -48,10 +48,10 @@ class Branch:
         return ~((computed.span.high < 0) & variables.never_vanish(powers))
 
 
-# A stage is asked for its branches more than once, and the proof takes a while.
+# A stage's branches are listed more than once, and the proof takes a while.
 @lru_cache(maxsize=64)
 def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
-    """List both branches of steps, if they are one function; else the steps as they are."""
+    """List both branches of steps if they are one function; otherwise only the steps themselves."""
     if by := _find_tested(straight):
         branches = tuple(Branch(_resolve(straight, by, sign), by, sign) for sign in (False, True))
         if _are_equal(*branches):
@@ -60,7 +60,7 @@ def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
 
 
 def _find_tested(straight: StraightLineProgram) -> str:
-    """Return the result whose sign decides every choice; empty if there is no single one."""
+    """Return the name of the result whose sign decides every choice; empty if there is none."""
     tests = {step.result: step for step in straight.steps if step.kind == TEST}
     choices = (str(step.operands[0]) for step in straight.steps if step.kind == CHOICE)
     tested = {tests[name].operands if name in tests else () for name in choices}
@@ -71,9 +71,9 @@ def _find_tested(straight: StraightLineProgram) -> str:
 
 
 def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> StraightLineProgram:
-    """Return the steps for one sign: the tested result's absolute value is itself, or its negative.
+    """Return the steps for one sign of a result, which also resolves its absolute value.
 
-    The tested result stays, needed or not.
+    The tested result is kept even if it is not needed.
     """
     names: dict[Operand, Operand] = {}
     steps = []
@@ -93,14 +93,14 @@ def _resolve(straight: StraightLineProgram, by: str, is_negative: bool) -> Strai
 
 
 def _are_equal(one: Branch, other: Branch) -> bool:
-    """Say whether the outputs are shown to be the same in exact arithmetic."""
+    """Return whether two branches' outputs are proved equal in exact arithmetic."""
     relations: dict[sp.Pow, sp.Expr] = {}
     known: _Known = {}
     sides = [_express(branch.straight, relations, known) for branch in (one, other)]
     try:
         return all(is_zero(a - b, relations) for a, b in zip(*sides, strict=True))
     except sp.PolynomialError:
-        # SymPy raises this for roots of quotients, for instance.
+        # SymPy raises this, for instance, for roots of quotients.
         return False
 
 
@@ -109,7 +109,7 @@ def _express(
     relations: dict[sp.Pow, sp.Expr],
     known: _Known,
 ) -> list[sp.Expr]:
-    """Return the outputs, with a symbol for each root or other function, and squares of roots."""
+    """Return the outputs with symbols for roots and functions; add roots' squares to relations."""
     values: dict[Operand, sp.Expr] = {n: sp.Symbol(n) for n in (*straight.inputs, *CONSTANTS)}
 
     def take(operand: Operand) -> sp.Expr:

@@ -1,9 +1,9 @@
-"""Certificates: what is proved of the rounding errors of a system's kernels, as data.
+"""Certificates: the proved bounds on the rounding errors of a system's kernels, as data.
 
-A claim of a kernel's stage is the largest bound over all boxes; who checks it cuts the domain as it
-was cut before, as a text says, and bounds every box anew. FPTaylor and PRECiSA (Titolo et al. 2018)
-write proofs for HOL Light and PVS: nothing as strong is claimed here, where boxes are bounded by
-what found the claim. The worst input found stands beside it.
+A claim about a kernel's stage is the largest bound over all boxes. To check it, the domain is cut
+again as the claim's text of cuts says, and every box is bounded anew. FPTaylor and PRECiSA (Titolo
+et al. 2018) write proofs for HOL Light and PVS; nothing as strong is claimed here, as the same code
+finds and checks a claim. Each claim also has the worst input found.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ from mechproof.roundoff.term_sums import SEARCHED
 from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
-# The most boxes, over all regions, that may show a bound. Boxes with many sides get fewer, as a cut
-# is tried across each side, and so do those of maps, whose matrices take longer.
+# The most boxes, over all regions, that a proof of a bound may use. Boxes with many sides get
+# fewer, as a cut is tried across each side, and so do those of maps, whose matrices take longer.
 MOST, MOST_OF_MANY, MANY_SIDES, MOST_OF_MAPS = 16000, 500, 10, 6000
-# Where the search for the lowest bound starts and gives up, in eps, and how near it comes, as a
-# share of the bound.
+# Where the search for the lowest bound starts and gives up, in eps, and its resolution as a share
+# of the bound.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
 SEED = 1
@@ -42,12 +42,12 @@ SEED = 1
 
 @dataclass(frozen=True)
 class RoundingClaim:
-    """A bound of the error of a stage in eps of its scale, and the worst error found.
+    """A bound on the error of a stage in eps of its scale, and the worst error found.
 
-    `where` says for which arguments, all if it is empty, `each` what each term of a set after the
-    first adds to the bound, `program` is the hash of steps and coordinates, `boxes` how many show
-    it, `cuts` which these are, `open` what is not shown; `at` has the arguments as hexadecimal
-    texts.
+    `where` restricts the arguments, empty for all; `each` is what each term of a set after the
+    first adds to the bound; `boxes` is the number of boxes of the proof and `cuts` encodes them;
+    `open` names the first box not proved, if any; `program` is the hash of steps and coordinates;
+    `at` has the arguments of the worst error as hexadecimal texts.
     """
 
     quantity: str
@@ -74,19 +74,19 @@ class Certificate:
 
 
 def write_certificate(certificate: Certificate) -> str:
-    """Return the text of a certificate."""
+    """Return the text of a certificate, in JSON."""
     return "\n".join(write_lines(certificate))
 
 
 def read_certificate(text: str, where: str) -> Certificate:
-    """Read a certificate; ValueError names what it should not have."""
+    """Read a certificate's text; ValueError, with `where`, for one with wrong fields."""
     return read_fields(Certificate, json.loads(text), where)
 
 
 def certify(
     stages: Iterable[ComputedStage], known: Sequence[RoundingClaim]
 ) -> tuple[RoundingClaim, ...]:
-    """Prove a bound of every stage; what is known and holds stays as it is."""
+    """Prove a bound for every stage; known claims that still hold are kept unchanged."""
     kept = {(claim.quantity, claim.form, claim.way): claim for claim in known}
     shown: list[tuple[tuple[object, ...], RoundingClaim]] = []
     for subject in stages:
@@ -98,7 +98,7 @@ def certify(
 
 
 def list_stages(kernel: Kernel, paper: Paper) -> list[ComputedStage]:
-    """List what is proved of a kernel; ValueError, naming it, for a chart that cannot be used."""
+    """List a kernel's stages to prove; ValueError, naming it, for a chart that cannot be used."""
     try:
         return [*list_computed_stages(kernel, paper)]
     except ValueError as error:
@@ -106,7 +106,7 @@ def list_stages(kernel: Kernel, paper: Paper) -> list[ComputedStage]:
 
 
 def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
-    """Return the paper with forms that tell what is proved of them."""
+    """Return the paper with forms whose `proved` text states the claims about them."""
     if certificate is None:
         return paper
     claims: dict[tuple[str, str], list[RoundingClaim]] = {}
@@ -134,7 +134,7 @@ def _tell_form(
 
 
 def tell_place(places: Sequence[str]) -> str:
-    """Say, as a clause to append, for which arguments something is proved; empty if for all."""
+    """Return a clause to append on where something is proved; empty if for all arguments."""
     return f", where {' or '.join(places)}" if places else ""
 
 
@@ -149,7 +149,7 @@ def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
 
 
 def tell_bound(claim: RoundingClaim) -> str:
-    """Write a bound in full, in eps: rounded down it would not be a bound."""
+    """Write a bound in eps with all its digits: rounded down, it would not be a bound."""
     return f"{claim.proved:g}" + (f" + {claim.each:g}*(n - 1)" if claim.each else "")
 
 
@@ -160,9 +160,10 @@ def _key(subject: ComputedStage) -> tuple[str, str, str]:
 def holds(
     subject: ComputedStage, claim: RoundingClaim, shown: Sequence[RoundingClaim] = ()
 ) -> bool:
-    """Say whether a claim is about these steps, is proved, and has an input that is off by no more.
+    """Return whether a claim is about these steps and proved, with no worse error at its input.
 
-    Bounds that were shown of the same steps, computed in another way, are not shown again.
+    A bound in `shown`, already proved for the same steps computed in another way, is not proved
+    again.
     """
     told = claim.program, claim.assumptions, claim.where, claim.each
     if told != (subject.digest, subject.assumptions, subject.where, subject.each):
@@ -170,7 +171,7 @@ def holds(
     off, most = _measure_again(subject, claim), claim.proved + subject.more
     if not (0 <= off.eps <= most and 0 <= claim.found <= most):
         return False
-    # Functions of NumPy differ between hosts, plain arithmetic does not.
+    # NumPy's functions differ between hosts; plain arithmetic does not.
     if subject.assumptions == (NORMAL,) and claim.found != _round(off.eps, math.floor):
         return False
     bounds = [(one.proved, one.boxes, one.open, one.cuts) for one in shown]
@@ -183,12 +184,12 @@ def holds(
 
 
 def is_shown(subject: ComputedStage, claim: RoundingClaim) -> bool:
-    """Say whether the boxes of a claim cover all regions and its bound is the largest, nearly."""
+    """Return whether the claim's boxes cover all regions and its bound is nearly their largest."""
     try:
         heights = np.concatenate([*_bound_again(subject, read_cuts(claim.cuts))])
     except ValueError:
         return False
-    # Two units of the last digit: the largest bound may lie exactly on a rounded number.
+    # Two units of the last digit, as the largest bound may itself be a number of so few digits.
     is_least = claim.proved - heights.max() < 2 * 10**-DIGITS
     return bool(
         len(heights) == claim.boxes and is_least and np.all(are_below(heights, claim.proved))
@@ -196,7 +197,7 @@ def is_shown(subject: ComputedStage, claim: RoundingClaim) -> bool:
 
 
 def _bound_again(subject: ComputedStage, cuts: Cuts) -> Iterator[Array]:
-    """Bound the boxes of every region; ValueError for cuts that are not those of its regions."""
+    """Yield the bounds of each region's boxes; ValueError for cuts that do not fit the regions."""
     for region in _list_regions(subject):
         boxes, cuts = cut_again(region.box, region.count_first(), cuts)
         yield subject.bound(region, boxes)
@@ -221,7 +222,7 @@ def _measure_again(subject: ComputedStage, claim: RoundingClaim) -> WorstRoundin
 
 
 def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[ChartRegion, Cover]]:
-    """Show region by region that the error is at most an aim; the last may stay open."""
+    """Prove region by region that the error is at most `aim`, up to the first that stays open."""
     covers: list[tuple[ChartRegion, Cover]] = []
     for region in _list_regions(subject):
         bound = partial(subject.bound, region)
@@ -234,7 +235,7 @@ def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[Chart
 
 
 def _limit(subject: ComputedStage) -> int:
-    """Return the most boxes that may show a bound."""
+    """Return the most boxes that a proof of a bound may use."""
     sides = max(len(region.box) for region in _list_regions(subject))
     if subject.map:
         return MOST_OF_MAPS
@@ -251,10 +252,10 @@ def _tell_open(covers: Sequence[tuple[ChartRegion, Cover]]) -> str:
 
 
 def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> RoundingClaim:
-    """Look for the lowest bound that can be shown and for the input that comes nearest to it.
+    """Return a claim with nearly the lowest provable bound and the worst input found.
 
-    An input that was known before counts if it is off by more. Raises ArithmeticError where one is
-    off by more than is proved: then the proof is wrong.
+    The input of a known claim is used if its error is larger. Raises ArithmeticError if an input's
+    error exceeds the proved bound: the proof would be wrong.
     """
     before = [_measure_again(subject, known)] if known else []
     least = max((found.eps for found in before), default=0.0) - subject.more
@@ -285,7 +286,10 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
 
 
 def _lower_bound(subject: ComputedStage, low: float) -> float:
-    """Return nearly the lowest bound above `low` that can be shown, in hundredths of an eps."""
+    """Return nearly the lowest provable bound above `low` in eps, rounded to hundredths.
+
+    Infinity if none up to `LAST` can be proved.
+    """
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, _limit(subject))):
         low, high = high, 2 * high
@@ -303,7 +307,7 @@ def _lower_bound(subject: ComputedStage, low: float) -> float:
 
 
 def _search(subject: ComputedStage, covers: Sequence[tuple[ChartRegion, Cover]]) -> WorstRounding:
-    """Search from all regions, and from the worst boxes, where another place may be worse."""
+    """Search from whole regions and, as another place may be worse, from the highest boxes."""
     boxes = [(height, region, box) for region, cover in covers for height, box in cover.worst]
     highest = sorted(boxes, key=lambda entry: -entry[0])[:WORST]
     starts = (
@@ -314,12 +318,12 @@ def _search(subject: ComputedStage, covers: Sequence[tuple[ChartRegion, Cover]])
 
 
 def write_cuts(cuts: Sequence[Cuts]) -> str:
-    """Return the cuts of boxes, one box after the other, as a text."""
+    """Return the cuts of boxes, concatenated, as compressed Base64 text."""
     return b64encode(zlib.compress(np.concatenate(cuts).tobytes(), 9)).decode("ascii")
 
 
 def read_cuts(text: str) -> Cuts:
-    """Return the cuts of a text; ValueError for a text that has none."""
+    """Return the cuts in a text; ValueError for a text that encodes none."""
     try:
         return np.frombuffer(zlib.decompress(b64decode(text, validate=True)), np.int8)
     except zlib.error as error:

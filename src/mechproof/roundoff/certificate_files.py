@@ -1,4 +1,4 @@
-"""Files of certificates: read, proved anew where something has changed, and written."""
+"""Files of certificates: reads them, proves anew whatever has changed, and writes them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PACKAGES = ("sympy", "numpy", "python-flint")
 
 
 def find_certificate(generated: Traversable, system: str) -> Certificate | None:
-    """Read the certificate of a system that is beside its kernels; None where there is none.
+    """Read the certificate of a system, stored next to its kernels; None if there is none.
 
     Raises ValueError, naming the file, for one that cannot be read.
     """
@@ -44,7 +44,7 @@ def find_certificate(generated: Traversable, system: str) -> Certificate | None:
 
 
 def write_certificates(certificates: Iterable[Certificate]) -> dict[str, str]:
-    """Return the text of every certificate by its name relative to the generated package."""
+    """Return the text of every certificate by its file name in the generated package."""
     return {_name(c.system): write_certificate(c) for c in certificates}
 
 
@@ -53,9 +53,9 @@ def _name(system: str) -> str:
 
 
 def read_claims(directory: Path, system: str) -> tuple[RoundingClaim, ...]:
-    """Return what is kept of a system; nothing of a file that is missing or cannot be read.
+    """Return the stored claims of a system; none if the file is missing or cannot be read.
 
-    Such a file is written anew, and shows up as a difference.
+    Such a file is written anew, and so shows up as a difference.
     """
     with suppress(ValueError):
         if known := find_certificate(directory, system):
@@ -66,10 +66,10 @@ def read_claims(directory: Path, system: str) -> tuple[RoundingClaim, ...]:
 def certify_kernel(
     kernel: Kernel, paper: Paper, known: tuple[RoundingClaim, ...], *, use_cache: bool
 ) -> tuple[tuple[RoundingClaim, ...], str]:
-    """Prove the bounds of a kernel, and return the key of all that they rest on beside them.
+    """Prove the bounds of a kernel; return its claims and the key of all that they rest on.
 
-    With the cache what was proved before is not done again. Raises ValueError for a chart that
-    cannot be used.
+    With the cache, known claims proved before are returned unproved. Raises ValueError for a chart
+    that cannot be used.
     """
     stages = list_stages(kernel, paper)
     if use_cache and (key := _key(stages, known)) in CERTIFIED.read():

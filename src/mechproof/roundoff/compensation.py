@@ -1,18 +1,18 @@
-"""Compensation: which roundings move no output, because a low word takes them up.
+"""Compensation: finds the roundings that move no output because a low word compensates them.
 
-With every other operation exact, the outputs do not depend on the rounded product whose rest is
-added again, nor on the rounded quotient inside both. That is shown here by derivatives, rational in
-the values of the functions; the other roundings are then bounded at whatever these have become.
-Error-free transformations (Ogita, Rump and Oishi 2005) are used so by hand; here it is checked that
-they are.
+With every other operation exact, the outputs do not depend on the rounding of a product whose rest
+is added back, nor on that of a quotient that both a product and a rest contain. Derivatives,
+rational in the values of the functions, prove this here; the other roundings are then bounded at
+whatever values these take. Error-free transformations (Ogita, Rump and Oishi 2005) are applied by
+hand; here it is checked that they compensate.
 
-Nor are factors that are powers of two rounded: 2*a*b and 2*(a*b) are the same double in the normal
-range. Taken after products and quotients, what is rounded is the product of a and b, and a rest of
-it is seen to be its own.
+Multiplying by a power of two is exact: 2*a*b and 2*(a*b) are the same double in the normal range.
+With such factors moved after products and quotients, the rounded result is the product of a and b,
+and its rest is recognised as its own.
 
-Nobody knows by which factor both parts of a tangent are scaled: no output may have it. Degrees are
-inferred as the dimensions of physical quantities are (Kennedy 1996): what has none is the same
-whatever the factor.
+Both parts of a tangent are scaled by one unknown factor, which no output may have. Degrees are
+inferred as the dimensions of physical quantities are (Kennedy 1996): a result without one is the
+same whatever the factor.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ Pair = tuple[sp.Expr, sp.Expr]
 
 
 def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps, holding what is compensated; ValueError where a rest is no low word."""
+    """Return the steps with compensated products held; ValueError if a rest compensates nothing."""
     straight = take_powers_last(straight)
     products = _list_rounded(straight, PRODUCT_REST)
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
@@ -53,7 +53,7 @@ def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
-    """List the results that have a rest of a kind, in the order of the rests."""
+    """List the results whose rests are of one kind, in the order of the rests."""
     found = (str(step.operands[2]) for step in straight.steps if step.kind == rest)
     return tuple(dict.fromkeys(found))
 
@@ -61,7 +61,7 @@ def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
 def _is_still(
     straight: StraightLineProgram, name: str, products: Sequence[str], output: Operand
 ) -> bool:
-    """Say whether an output does not depend on how a product or a quotient is rounded."""
+    """Return whether an output is independent of how a product or a quotient is rounded."""
     symbols = (*straight.inputs, *CONSTANTS)
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in symbols}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
@@ -76,8 +76,7 @@ def _is_still(
             for operand in step.operands
         ]
         if step.result in products:
-            # Other products are taken as the doubles that they are; each has its own turn in this
-            # check.
+            # Other products stand for their rounded values; each is checked in its own turn.
             values[step.result] = (sp.Symbol(f"rounded {step.result}"), sp.S.Zero)
         else:
             values[step.result] = _differentiate(step, given)
@@ -87,7 +86,7 @@ def _is_still(
 
 
 def _differentiate(step: Step, given: list[Pair]) -> Pair:
-    """Return value and derivative; functions are symbols with rational derivatives."""
+    """Return a step's value and derivative; non-rational values become symbols."""
     meaning, arguments, slopes = _find_slopes(step.kind, len(given))
     places = dict(zip(arguments, (value for value, _ in given), strict=True))
     moving = zip(slopes, (slope for _, slope in given), strict=True)
@@ -103,18 +102,18 @@ def _differentiate(step: Step, given: list[Pair]) -> Pair:
 def _find_slopes(
     kind: str, count: int
 ) -> tuple[sp.Expr, tuple[sp.Dummy, ...], tuple[sp.Expr, ...]]:
-    """Return the meaning of an operation, in letters for its operands, and its derivatives."""
+    """Return an operation's meaning in letters, these letters, and its derivatives by them."""
     letters = tuple(sp.Dummy() for _ in range(count))
     meaning = letters[0] if kind == CONSTANT else SYMBOLIC[kind](*letters)
     return meaning, letters, tuple(meaning.diff(letter) for letter in letters)
 
 
-# Kinds that pass on powers of two from their operands. Sums take their terms as they are.
+# Kinds that pass powers of two on from their operands; sums do not.
 _PRODUCTS = ("multiply", "divide", "square", *RESTS)
 
 
 def take_powers_last(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return steps in which rests belong to rounded results, not to powers of two times these."""
+    """Return steps whose rests refer to rounded results, not to powers of two times these."""
     made = {step.result: step for step in straight.steps}
     rests = [made.get(str(step.operands[2])) for step in straight.steps if step.kind in RESTS]
     if not any(product and _find_factor(product) for product in rests):
@@ -123,7 +122,7 @@ def take_powers_last(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _find_factor(step: Step) -> tuple[Operand, int] | None:
-    """Return the operand and the exponent of a step that multiplies by a power of two."""
+    """Return operand and exponent of a step that multiplies by a power of two; None for others."""
     if step.ulps != EXACT or step.kind not in ("multiply", "divide"):
         return None
     first, second = step.operands
@@ -136,7 +135,7 @@ def _find_factor(step: Step) -> tuple[Operand, int] | None:
 
 
 def _find_exponent(kind: str, exponents: Sequence[int]) -> int | None:
-    """Return the exponent of a result by those of its operands; None where it has none."""
+    """Return a result's exponent of two from those of its operands; None if it has none."""
     if kind not in _PRODUCTS:
         return None
     given = (Degree({2: exponent} if exponent else {}) for exponent in exponents)
@@ -151,7 +150,7 @@ class _Mover:
     def __init__(self, straight: StraightLineProgram) -> None:
         self._straight = straight
         self._steps: list[Step] = []
-        # For results that are others times powers of two: the other and the exponent.
+        # For results that are another one times a power of two: that one and the exponent.
         self._known: dict[Operand, tuple[Operand, int]] = {}
         self._written: dict[tuple[Operand, int], str] = {}
 
@@ -183,7 +182,7 @@ class _Mover:
         self._steps.append(replace(step, operands=tuple(operands)))
 
     def _write(self, operand: Operand) -> Operand:
-        """Return the name of a value, written out."""
+        """Return an operand that holds the value, adding a step for its power of two if needed."""
         base, exponent = self._find(operand)
         if not exponent:
             return base
@@ -194,7 +193,7 @@ class _Mover:
 
 
 def find_scaled(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps, naming what is scaled; ValueError where an output depends on a scale."""
+    """Return the steps with their scaled results listed; ValueError if an output is scaled."""
     known: dict[Operand, Degree] = {}
     for step in straight.steps:
         given = [known.get(operand, NONE) for operand in step.operands]

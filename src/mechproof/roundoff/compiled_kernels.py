@@ -1,7 +1,8 @@
-"""Compiled kernels: what stands for their elementary functions, and these run in doubles.
+"""Compiled kernels: stand-ins for their elementary functions, and these functions in doubles.
 
-A tangent comes in two parts, both off by one factor that depends on the angle alone. It is no
-matter to what depends on their quotient: the parts are taken for the tangent and 1.
+A tangent is computed in two parts, both scaled by one factor that depends on the angle alone. The
+factor does not affect results that depend only on the parts' quotient, so the parts are modelled
+as the tangent and 1.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT, HALF, Expansion
 
 WAY = "compiled"
-# Stands for an error that is proved of the function as a whole.
+# Marks a result whose error is proved for the function as a whole.
 PROVED = float("inf")
 PARTS = ("tangent_above", "tangent_below")
 
@@ -26,9 +27,9 @@ PARTS = ("tangent_above", "tangent_below")
 def _expand(
     inputs: str, *steps: tuple[str, str, str], proved: str = "", **errors: float
 ) -> Expansion:
-    """Return an expansion into steps, each a result, a kind and operands of one letter.
+    """Return an expansion into steps, each a result, a kind and operands, one letter each.
 
-    `errors` are those of the results in eps, or `PROVED`.
+    `errors` maps results to their errors in eps, or to `PROVED`.
     """
     operations = tuple(Operation(result, kind, tuple(given)) for result, kind, given in steps)
     known = {result: proved for result, off in errors.items() if off == PROVED}
@@ -48,7 +49,7 @@ def _expand_part(kind: str) -> Expansion:
 
 
 def _expand_tangent_quotient() -> Expansion:
-    """Take the two parts of the tangent as single steps, whatever computes them."""
+    """Return `tangent_quotient` with the two parts of the tangent as single, modelled steps."""
     program = build("tangent_quotient", DOUBLE).program
     angle = program.inputs[0]
     parts = {find_part(program, kind): kind for kind in PARTS}
@@ -62,7 +63,7 @@ def _expand_tangent_quotient() -> Expansion:
 
 
 def find_part(program: Program, kind: str) -> str:
-    """Return the result that is computed as this part of a tangent is; ValueError without one."""
+    """Return the result computed in the same way as a part of a tangent; ValueError if none is."""
     part = build(kind, DOUBLE).program
     meant = _describe(part)[str(part.outputs[0])]
     for result, found in _describe(program).items():
@@ -72,7 +73,7 @@ def find_part(program: Program, kind: str) -> str:
 
 
 def _describe(program: Program) -> dict[str, str]:
-    """Describe how each result is computed from the inputs."""
+    """Return, for each result, the text of its computation from the inputs."""
     texts: dict[Operand, str] = {name: name for name in program.inputs}
     for step in program.operations:
         given = ", ".join(texts.get(o, repr(o)) for o in step.operands)
@@ -82,14 +83,14 @@ def _describe(program: Program) -> dict[str, str]:
 
 @cache
 def list_expansions() -> Mapping[str, Expansion]:
-    """Return the expansions of what compiled kernels call."""
+    """Return the expansions of the functions that compiled kernels call."""
     for kind in PARTS:
-        # What is proved of the tangent is proved of its parts, so these must be found in it.
+        # The proof of the tangent covers its parts only if they are found in it.
         find_part(build("tan", DOUBLE).program, kind)
     return MappingProxyType(
         {
             **{k: _expand("y", ("q", k, "y"), proved=k, q=PROVED) for k in ("sin", "cos")},
-            # The quotient of its two parts, exact at first, is rounded in a step of its own.
+            # The quotient of its two parts, exact at first, is rounded in a separate step.
             "tan": _expand(
                 "y", ("w", "tan", "y"), ("q", "copy", "w"), proved="tan", w=PROVED, q=HALF
             ),
@@ -101,7 +102,7 @@ def list_expansions() -> Mapping[str, Expansion]:
                 q=PROVED,
             ),
             "arctan2": _expand("ab", ("q", "arctan2", "ab"), proved="arctan2", q=PROVED),
-            # Without the power of two by which the sides are scaled: it changes no rounding.
+            # Without the power of two that scales the sides: it changes no rounding.
             "hypot": _expand("ab", ("s", "square", "b"), ("w", "fma", "aas"), ("q", "sqrt", "w")),
             "tangent_quotient": _expand_tangent_quotient(),
             **{kind: _expand_part(kind) for kind in PARTS},
@@ -114,5 +115,5 @@ def _compute(kind: str, *values: Any) -> Any:
     return run(program, dict(zip(program.inputs, values, strict=True)), IN_DOUBLES)[0]
 
 
-# Operations of compiled kernels in doubles.
+# The operations of compiled kernels, in doubles.
 COMPILED = IN_DOUBLES.but(**{kind: partial(_compute, kind) for kind in BODIES})

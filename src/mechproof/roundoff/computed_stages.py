@@ -1,4 +1,4 @@
-"""Computed stages: in, a stage of a kernel; out, what bounds its error over a box of a region."""
+"""Computed stages: in, a stage of a kernel; out, its steps and its error over boxes."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.term_sums import SEARCHED, TermSum, take_sum
 from mechproof.roundoff.written_scales import WrittenScale, write_scale
 
-# Functions that compiled kernels compute in their own way, of which nothing is proved.
+# Functions that compiled kernels implement themselves, without a proved error.
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
-# The constants as doubles, as kernels compare with them.
+# The constants rounded to doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
 
 
@@ -65,11 +65,11 @@ NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTAN
 class ComputedStage:
     """A stage of a kernel in one of the ways in which it is computed.
 
-    `exact` are the steps whose values without rounding are the truth, `scale` those of what an
-    error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
-    calls of elementary functions. Of a `map` of points the norm of the error counts, and the scale
-    is that of the matrix. Of a set that is added up the kernel is that of its `total`. `sums` are
-    kept for each chart.
+    `exact` are steps whose values without rounding are the truth; `scale` are the steps of the
+    quantity that errors are relative to, None for the value itself; `computed` are those of a
+    compiled kernel, with calls of elementary functions. For a `map` of points the norm of the error
+    counts, and the scale is that of the matrix. For a sum over a set, `total` describes the sum and
+    `kernel` takes a number in its place. `sums` are cached for each chart.
     """
 
     kernel: Kernel
@@ -88,13 +88,13 @@ class ComputedStage:
 
     @property
     def digest(self) -> str:
-        """Return the SHA-256 of the steps, of the coordinates and of the scale."""
+        """Return the SHA-256 of the steps, the coordinates and the scale."""
         parts = (*self._bounded, *self._programs, *((self.total,) if self.total else ()))
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
     def basis(self) -> tuple[object, ...]:
-        """Return all that a bound is computed from: ways with the same basis share their bounds."""
+        """Return everything a bound is computed from: ways with equal bases share their bounds."""
         return (*self._bounded, self.map)
 
     @property
@@ -104,7 +104,7 @@ class ComputedStage:
 
     @property
     def _programs(self) -> Iterator[StraightLineProgram | Program]:
-        """List the steps of a compiled kernel and the functions that they call."""
+        """Yield the steps of a compiled kernel and the programs of the functions they call."""
         if self.computed:
             yield self.computed
             for kind in sorted({step.kind for step in self.computed.steps} & BODIES.keys()):
@@ -112,12 +112,12 @@ class ComputedStage:
 
     @property
     def where(self) -> tuple[str, ...]:
-        """Say for which arguments the bound holds; empty if for all."""
+        """List the conditions on arguments under which the bound holds; empty if for all."""
         return tuple(dict.fromkeys(chart.text for chart in self.form.charts if chart.text))
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """List what the bound rests on."""
+        """List the assumptions that the bound rests on, as texts."""
         kinds = {step.kind for step in self.straight.steps if not step.proved}
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
         sums = SUMS if self.map else TERMS if self.total else ""
@@ -125,7 +125,7 @@ class ComputedStage:
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
-        """Return the branches, each without choices."""
+        """Return the branches of the steps that are bounded separately."""
         return _list_branches(self.straight)
 
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
@@ -138,12 +138,12 @@ class ComputedStage:
 
     @property
     def each(self) -> float:
-        """Return what each term of a set after the first adds to the bound, in eps."""
+        """Return how much each term of a set after the first adds to the bound, in eps."""
         return self.total.each if self.total else 0.0
 
     @property
     def more(self) -> float:
-        """Return what further terms add, in eps, in a set of the size that is searched."""
+        """Return how much the terms after the first add, in eps, for sets of the searched size."""
         return self.each * (SEARCHED - 1)
 
     def _bound_branches(self, region: ChartRegion, boxes: Boxes) -> Array:
@@ -173,7 +173,7 @@ class ComputedStage:
     def _find_taken(
         self, branch: Branch, region: ChartRegion, part: Boxes, forced: tuple[int, ...]
     ) -> Array:
-        """Return 1 where a branch may be taken, 0 elsewhere."""
+        """Return 1 for boxes in which a branch may be taken, 0 for others."""
         (found,) = self._run([branch.test], region, part, forced)
         is_taken = branch.find_taken(found.value(branch.tested))
         return np.broadcast_to(np.where(is_taken, 1.0, 0.0), len(part))
@@ -181,7 +181,7 @@ class ComputedStage:
     def evaluate(
         self, branch: Branch, region: ChartRegion, boxes: Boxes, forced: tuple[int, ...] = ()
     ) -> tuple[ErrorAnalysis, ErrorScale]:
-        """Return all values over boxes, and what errors are relative to."""
+        """Return the analysis of all values over boxes, and the scale of their errors."""
         steps = self.map.entries if self.map else branch.straight
         if self.scale is None:
             return self._run([steps], region, boxes, forced)[0], ErrorScale(None, True)
@@ -196,11 +196,11 @@ class ComputedStage:
         boxes: Boxes,
         forced: tuple[int, ...],
     ) -> list[ErrorAnalysis]:
-        """Return all values of steps over boxes."""
+        """Return the analyses of several lists of steps over the same boxes."""
         kinds = [step.kind for straight in straights for step in straight.steps]
         # If the scale has terms of its own, sines and cosines that vanish cancel term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
-        # Of a matrix the signs of what roundings move are kept, for which intervals are too wide.
+        # For a matrix, forms keep the signs of the moves by roundings; intervals are too wide.
         variables, monomials, turn = region.enter(
             boxes, kinds.count("tan"), forced, waves, has_forms=self.map is not None
         )
@@ -223,20 +223,20 @@ class ComputedStage:
         return self.sums[key]
 
     def compute(self, points: Mapping[str, Any]) -> Array:
-        """Return the outputs in doubles, as they are computed."""
+        """Return the outputs computed in doubles, in this stage's way."""
         given = self.total.put_rounded(points) if self.total else points
         if self.computed:
             return np.array(run(self.computed, given, COMPILED))
         return np.array(run(self.straight, given, IN_DOUBLES))
 
     def complete(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Mapping[str, Any]:
-        """Return the values of arguments and of the sums over them."""
+        """Return the values of the arguments, with that of the sum over a set if there is one."""
         return self.total.put_exact(given, arithmetic) if self.total else given
 
     def weigh(
         self, found: Sequence[Any], given: Mapping[str, Any], arithmetic: Arithmetic
     ) -> list[Any]:
-        """Return the errors of the outputs in eps of the scale; for a map, that of their norm."""
+        """Return the outputs' errors in eps of the scale; for a map, the norm of its error."""
         exact = run(self.exact, given, arithmetic)
         apart = [
             arithmetic["number"](value) - true for value, true in zip(found, exact, strict=True)
@@ -251,11 +251,11 @@ class ComputedStage:
 
     @cached_property
     def inside(self) -> ChartMembership:
-        """Return the test that tells where the bound holds."""
+        """Return the test of whether arguments lie where the bound holds."""
         return find_membership(self.form, input_names(self.kernel.quantity))
 
     def holds(self, points: Mapping[str, Any]) -> Any:
-        """Say where the stage is taken."""
+        """Return where points lie in the kernel's domain and this stage is the one taken."""
         programs = [p for p in (self.kernel.code.inside, self.stage.when) if p]
         given = {**NUMBERS, **self.complete(points, IN_DOUBLES)}
         asking = self.total.asking if self.total else IN_DOUBLES
@@ -264,7 +264,7 @@ class ComputedStage:
 
 
 def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
-    """List the stages of a kernel that have charts, in every way of computing them."""
+    """Yield the stages of a kernel that have charts, in every way of computing them."""
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
             continue
@@ -276,8 +276,8 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
         check_signs(straight, form, input_names(kernel.quantity))
         affine = _find_map(kernel.quantity, stage, straight)
         whole = affine.apply() if affine else straight
-        # In exact arithmetic all branches are the same function. Where this one loses digits the
-        # search in long doubles sees a little less; what counts is weighed in balls.
+        # In exact arithmetic all branches are the same function. Where this one loses digits, the
+        # search in long doubles sees a little less, but balls judge what it finds.
         exact = _list_branches(whole)[0].straight
         yield ComputedStage(kernel, form, stage, WAY, whole, exact, scale, map=affine)
         if kernel.is_shipped:
@@ -285,7 +285,7 @@ def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage
 
 
 def _list_totals(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
-    """List the ways of computing a result of a sum over a set."""
+    """Yield the stage of a kernel with a sum over a set, in every way of computing it."""
     ways = [(WAY, kernel, IN_NUMPY)]
     if kernel.is_shipped:
         ways.append((COMPILED_WAY, put_off_divisions(kernel), list_expansions()))
@@ -320,7 +320,7 @@ def _compile(
     if affine:
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
-    # Raises ValueError here rather than later, when a bound is asked for.
+    # So that a ValueError is raised here rather than later, when a bound is requested.
     _list_branches(straight)
     computed = flatten_stage(compiled, {})
     return ComputedStage(
@@ -339,7 +339,7 @@ def _list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
 
 
 def _check_functions(straight: StraightLineProgram) -> None:
-    """Refuse functions of NumPy: compiled kernels have their own."""
+    """Raise ValueError for functions of NumPy: compiled kernels must bring their own."""
     assumed = {step.kind for step in straight.steps if not step.proved} & FUNCTIONS.keys()
     if assumed:
         raise ValueError(
@@ -349,7 +349,7 @@ def _check_functions(straight: StraightLineProgram) -> None:
 
 
 def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -> AffineMap | None:
-    """Return the map of an affine stage; ValueError for a shift that is computed."""
+    """Return the map of an affine stage, None for others; ValueError for a computed shift."""
     if not stage.affine:
         return None
     if any(step.kind == CHOICE for step in straight.steps):

@@ -1,14 +1,15 @@
 """Shares: what a rounding adds in shares of a scale, by condition numbers and term by term.
 
-By what share of a scale an output moves with a step moved by a share is its condition number. Of
-products and quotients they are 1 and -1, and a sum has each term once: carried from the output back
-to a step (Bauer 1974), they lose nothing to how wide a box is where only these are passed. A slope,
-a value and the inverse of a scale over a box do, each of which is known to a box apart.
+The condition number of an output with respect to a step is the share of the scale by which the
+output moves per share by which the step moves. Products and quotients have 1 and -1, and a sum has
+each term once: carried back from the output to a step (Bauer 1974) through such operations only,
+condition numbers lose nothing to the width of a box. The product of a slope, a value and the
+inverse of a scale does, as each factor is enclosed separately.
 
-Errors a1, a2, ... of which some are at most shares of one term of a sum and others of another add
-up, over the sum, to the largest total that a term has, whatever the terms are beside each other. So
-where terms vanish together, no quotient of theirs is needed. It is a backward error (Higham 2002,
-chapter 1): every rounding is a change of one term.
+Let some errors be shares of one term of a sum and others of another. Over the sum, they add up to
+at most the largest total that a single term has, whatever the ratios of the terms. So where terms
+vanish together, no quotient of theirs is needed. This is a backward error (Higham 2002, chapter 1):
+every rounding is a change of one term.
 """
 
 from __future__ import annotations
@@ -28,22 +29,22 @@ from mechproof.roundoff.rules import SOME, Slopes
 from mechproof.roundoff.steps import CHOICE, Step
 
 SUMS = ("add", "subtract", "fma")
-# By the operand that is taken the condition number is 1, by the other 0; which one that is may not
-# be known.
+# The condition number is 1 for the operand that is taken and 0 for the other; which one is taken
+# may be unknown.
 CHOICES = ("maximum", "minimum", CHOICE)
 
 
 class CarriedConditions:
-    """The condition numbers of an output by the steps that are still to be passed, scale by scale.
+    """The condition numbers of an output for the steps yet to be passed, scale by scale.
 
-    `starts` are those by the output itself, one for each scale.
+    `starts` are those for the output itself, one for each scale.
     """
 
     def __init__(self, output: Operand, starts: Sequence[Interval]) -> None:
         self._known: dict[Operand, list[Interval]] = {output: list(starts)}
 
     def take(self, result: Operand, others: Sequence[Interval]) -> list[Interval]:
-        """Return the condition numbers by a step, narrowed by others that are known for it."""
+        """Return, and forget, the condition numbers for a step, intersected with `others`."""
         known = self._known.pop(result, None)
         if known is None:
             return list(others)
@@ -56,9 +57,9 @@ class CarriedConditions:
         operands: Sequence[Operand],
         numbers: Sequence[Interval | None],
     ) -> None:
-        """Pass a step: what the output owes to it, it owes to the step's operands.
+        """Pass a step: add its condition numbers to those for its operands, by the chain rule.
 
-        `conditions` are the output's condition numbers by the step, `numbers` those of the step by
+        `conditions` are the output's condition numbers for the step, `numbers` the step's own for
         its operands, `moved` the largest share by which its rounding moves it.
         """
         own = around(1.0, moved * (1 + 4 * EPS))
@@ -78,7 +79,7 @@ def find_condition_numbers(
     exact: IntervalMonomial,
     slopes: Sequence[IntervalMonomial | None],
 ) -> list[Interval | None]:
-    """Return the condition numbers of a step by its operands; None for one that has no effect."""
+    """Return a step's condition numbers for its operands; None for operands without effect."""
     if kind in CHOICES:
         return [None if slope is None else SOME for slope in slopes]
     if powers := _find_powers(kind, len(given)):
@@ -101,7 +102,7 @@ def find_condition_numbers(
 
 @cache
 def _find_powers(kind: str, count: int) -> tuple[float, ...]:
-    """Return the exponents of the operands if the result is a product of powers; else nothing."""
+    """Return the operands' exponents if the result is a product of powers; empty otherwise."""
     letters = [sp.Dummy(positive=True) for _ in range(count)]
     meaning = SYMBOLIC[kind](*letters)
     if not isinstance(meaning, sp.Expr):
@@ -112,9 +113,8 @@ def _find_powers(kind: str, count: int) -> tuple[float, ...]:
 
 
 def _find_share(term: IntervalMonomial, other: IntervalMonomial) -> Interval:
-    """Return a term's share of a sum."""
-    # The first is finite where the term does not vanish, the second where the rest of the sum does
-    # not.
+    """Return a term's share of its sum with another."""
+    # The first is finite where the term does not vanish, the second where the other does not.
     of_rest = (ONE + (other / term).expanded()).inverted()
     return of_rest.intersection(ONE - (ONE + (term / other).expanded()).inverted())
 
@@ -133,7 +133,7 @@ class RoundedStep:
 
     @property
     def _share(self) -> Ends:
-        """Bound the rounding as a share of the value, in eps."""
+        """Bound the rounding error as a share of the value, in eps."""
         share = self.relative / EPS
         if self.absolute is not None:
             least = self.exact.expanded().size().low
@@ -141,7 +141,7 @@ class RoundedStep:
         return share
 
     def move(self, condition: Interval) -> Interval:
-        """Return how the largest rounding moves an output, in eps of a scale, with the sign."""
+        """Return how far the largest rounding moves an output, with its sign, in eps of a scale."""
         if self.known is not None:
             return condition * self.known / exactly(EPS)
         share = self._share * (1 + 8 * EPS)
@@ -151,9 +151,9 @@ class RoundedStep:
     def weigh(
         self, slopes: Sequence[IntervalMonomial], conditions: Sequence[Interval]
     ) -> list[Ends]:
-        """Bound the error that the step adds, in eps of each of some scales.
+        """Bound the error that the step adds to an output, in eps of each of several scales.
 
-        The slopes are those of an output over each scale, the conditions its condition numbers.
+        `slopes` are the output's derivatives over each scale, `conditions` its condition numbers.
         """
         share, absolute = self._share, None
         if self.absolute is not None:
@@ -170,20 +170,20 @@ class RoundedStep:
 
 
 def take_least(*bounds: Ends) -> Ends:
-    """Return the lowest of several bounds of one quantity, leaving out NaN and infinity."""
+    """Return the lowest of several bounds on one quantity; NaN and infinity bound nothing."""
     least = np.float64(np.inf)
     for bound in bounds:
         least = np.fmin(least, bound)
     return least
 
 
-# Limits that are tried: an error is charged to a term only if its share of the term is at most so
-# many times its share of the sum.
+# Limits to try: an error is charged to a term only if its share of the term is at most this many
+# times its share of the sum.
 HARDLY_MORE = (1.25, 2.0, 4.0, np.inf)
 
 
 def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
-    """Bound a sum of errors, each given as shares of what the sum is at least, its terms last."""
+    """Bound a sum of errors, each given as shares of lower bounds of the scale, its terms last."""
     of_sum = [take_least(*shares) for shares in errors]
     totals = [sum(of_sum, np.float64(0.0))]
     if terms > 1:
@@ -198,12 +198,12 @@ def spread(errors: Sequence[Sequence[Ends]], terms: int) -> Ends:
 
 
 def _share_out(of_sum: Sequence[Ends], of_terms: Sequence[Array], factor: float) -> Ends:
-    """Charge each error to the terms that are charged least so far, levelling their totals."""
+    """Charge each error to the terms charged least so far; return rest plus largest total."""
     loads = np.zeros_like(of_terms[0])
     rest: Ends = np.float64(0.0)
     for whole, shares in zip(of_sum, of_terms, strict=True):
         least = shares.min(axis=0)
-        # An error without a finite share of any term stays with the whole sum, where it may be
+        # An error without a finite share of any term is charged to the whole sum, where it may be
         # infinite too.
         is_put = (whole > 0) & np.isfinite(least) & (least <= factor * whole)
         rest = rest + np.where(is_put, 0.0, whole)
@@ -213,12 +213,12 @@ def _share_out(of_sum: Sequence[Ends], of_terms: Sequence[Array], factor: float)
 
 
 def _fill(loads: Array, shares: Array) -> Array:
-    """Return the level to which an error fills the lowest terms, by its share of each term."""
+    """Return the level to which an error raises the lowest loads, given its share of each term."""
     order = np.argsort(loads, axis=0)
     with np.errstate(divide="ignore"):
         sizes = 1 / np.take_along_axis(shares, order, axis=0)
-    # The lowest terms take all of the error; the right number of them is the one with the lowest
-    # level.
+    # The lowest terms take the whole error; the right number of them is the one that gives the
+    # lowest level.
     before = np.cumsum(np.take_along_axis(loads, order, axis=0) * sizes, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         found = (1 + before) / np.cumsum(sizes, axis=0) * (1 + 8 * EPS * len(loads))

@@ -1,8 +1,9 @@
 """Elementary functions of compiled kernels: in, the programs that are printed; out, their errors.
 
-Nothing is written down anew. Without its decisions a program is rational: its roundings are bounded
-as those of kernels are, and its value is held against the function over the whole interval. So de
-Dinechin, Lauter and Melquiond (2011) prove functions of CRlibm, with Gappa and with hints for each.
+The proof uses the printed programs themselves. With its decisions resolved a program is rational:
+its roundings are bounded as those of kernels are, and its value is compared with the function over
+whole intervals. De Dinechin, Lauter and Melquiond (2011) prove functions of CRlibm in this way,
+with Gappa and hints for each function.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from mechproof.roundoff.specialisation import REST, Case, Resolved, Whole, name_
 from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed
 from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 
-# Number of pieces into which a quarter turn, or the interval of another function, is divided.
+# Number of pieces that a quarter turn, or the interval of another function, is divided into.
 PIECES = 64
 QUARTERS = 4
 # Factor by which intervals are extended beyond their ends.
@@ -41,13 +42,13 @@ Series = Any
 
 
 def _sine(rest: Series, quarters: int) -> Series:
-    """Return the sine of a rest plus so many quarter turns: the cosine for one quarter fewer."""
+    """Return the sine of a rest plus a number of quarter turns; with one more, it is the cosine."""
     value = rest.cos() if quarters % 2 else rest.sin()
     return -value if quarters % QUARTERS > 1 else value
 
 
-# For functions of an angle of n quarter turns and a rest r, with the program's last quotient a/b:
-# the two sides that are equal if a/b is exact.
+# For functions of an angle of n quarter turns and a rest r, with a/b the program's last quotient:
+# two sides that are equal if a/b is the exact function.
 ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Series]]] = (
     MappingProxyType(
         {
@@ -61,7 +62,7 @@ ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Serie
 
 @cache
 def prove(kind: str) -> ErrorTable:
-    """Bound the error of a function piece by piece; ValueError for a program without a rule."""
+    """Bound the error of a function piece by piece; ValueError if no rule fits its program."""
     return _PROVED[kind](kind)
 
 
@@ -71,7 +72,7 @@ def _prove_angle(kind: str) -> ErrorTable:
     for quarters in range(QUARTERS):
         number = Whole(Fraction(QUARTERS), Fraction(quarters))
         found = resolve(build(kind, DOUBLE).program, Case(number))
-        # The error is the same for the other sign; if not, this raises.
+        # Raises unless the error is the same for the other sign.
         find_parities(found.straight, {REST: ODD})
         places, low, high = _list_rests(edges, quarters)
         straight = _leave_quotient(found.straight)
@@ -79,18 +80,18 @@ def _prove_angle(kind: str) -> ErrorTable:
         bounds = _put_on(_bound_reduced(replace(found, straight=straight), low, high), off)
         if not quarters:
             unreduced[places] = _put_on(_bound(straight, {REST: None}, low, high), off)
-            # Somewhat beyond `near` the nearest number of quarter turns may still be zero, and the
-            # angle is not reduced.
+            # Slightly beyond `near` the nearest number of quarter turns may still be zero, so that
+            # the angle is not reduced.
             bounds = np.maximum(bounds, unreduced[places])
         reduced[places] = np.maximum(reduced[places], bounds)
-    # Up to here the number of quarter turns is zero, however it is rounded.
+    # Up to here the number of quarter turns is zero, whatever the roundings.
     near = float((PI * exactly(0.25)).low) * (1 - MARGIN)
     tables = find_highest(reduced), find_highest(unreduced)
     return ErrorTable(edges, *tables, near=near, largest=DOUBLE.largest)
 
 
 def _leave_quotient(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps with their last quotient exact, as only its two sides are bounded."""
+    """Return the steps with an exact last quotient, if they end in one."""
     *others, last = straight.steps
     if last.kind != "divide":
         return straight
@@ -98,7 +99,7 @@ def _leave_quotient(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _enclose_angle(kind: str, found: Resolved, quarters: int, low: Array, high: Array) -> Array:
-    """Bound the error of the approximation, in eps, for so many quarter turns."""
+    """Bound the approximation error, in eps, of rests in pieces after a number of quarter turns."""
     *_, last = found.straight.steps
     outputs = last.operands if last.kind == "divide" else found.straight.outputs
     plain = keep_needed(replace(found.straight, outputs=outputs))
@@ -111,7 +112,7 @@ def _enclose_angle(kind: str, found: Resolved, quarters: int, low: Array, high: 
 
 
 def _enclose(sides: Sides, low: Array, high: Array) -> Array:
-    # Functions that may vanish are expanded at zero, so that their pieces start there.
+    # Functions that may vanish are expanded at zero, so their first pieces must start there.
     start = np.where(low < high - low, 0.0, low)
     pieces = zip(map(arb, start.tolist()), map(arb, high.tolist()), strict=True)
     return np.array(enclose_pieces(sides, pieces)) / EPS
@@ -124,12 +125,12 @@ def _list_angles() -> Array:
 
 
 def find_end_of_rests() -> float:
-    """Return an upper bound of what is left of an angle less its quarter turns."""
+    """Return an upper bound on the size of an angle reduced by quarter turns."""
     return float((PI * exactly(0.25)).high) * BEYOND
 
 
 def find_end_of_small() -> float:
-    """Return an upper bound of the arguments of a small arctangent."""
+    """Return an upper bound on the arguments of `small_arctan`."""
     return _find_legal() * BEYOND
 
 
@@ -138,14 +139,14 @@ def _find_legal() -> float:
 
 
 def bound_roundings(straight: StraightLineProgram, high: float) -> float:
-    """Bound the roundings of steps of one input from 0 to an end, in eps of their value."""
+    """Bound the roundings of steps, in eps of their value, for one input in [0, high]."""
     edges = np.linspace(0.0, high, PIECES + 1)
     given = dict.fromkeys(straight.inputs)
     return float(np.max(_bound(straight, given, edges[:-1], edges[1:])))
 
 
 def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
-    """Return which pieces have so many quarter turns, and how large their rests are."""
+    """Return the pieces that may need `quarters` quarter turns, and the ends of their rests."""
     least, most = edges[:-1], edges[1:]
     if quarters % 2:
         half = PI * exactly(0.5)
@@ -157,7 +158,7 @@ def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
 
 
 def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
-    """Bound the roundings, including that of the reduced angle."""
+    """Bound the roundings in eps of the value, including those of the reduction of the angle."""
     reduction, bounds = bound_reduction(found.per, found.words), np.empty(len(low))
     for rows, ulps in ((low < NEAR, reduction.near), (low >= NEAR, reduction.far)):
         made = (
@@ -172,7 +173,7 @@ def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
 def _bound(
     straight: StraightLineProgram, given: Mapping[str, float | None], low: Array, high: Array
 ) -> Array:
-    """Bound the roundings of steps in eps of their value; inputs that are None lie in pieces."""
+    """Bound the roundings of steps in eps of their value; inputs given as None are in pieces."""
 
     def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
         variables = BoxVariables([Interval(low[rows], high[rows])], [True], 0, forced)
@@ -190,14 +191,15 @@ def _bound(
 
 
 def _put_on(bounds: Array, off: Array) -> Array:
-    """Return bounds of roundings with the error of the approximation added."""
+    """Return bounds on roundings with the approximation error added, all in eps."""
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
 def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
-    """Bound the arctangent of a quotient, or the angle of a point, by the size of the quotient.
+    """Bound the error of a quotient's arctangent, or a point's angle, by the size of the quotient.
 
-    The result changes its sign with each of the first `signs` arguments.
+    The result must change sign with each of the first `signs` arguments; `behind` lists the cases
+    of a negative second argument to cover.
     """
     program = build(kind, DOUBLE).program
     _check_signs(program, program.inputs[:signs])
@@ -206,13 +208,13 @@ def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
         np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
         for s in (False, True)
     )
-    # The last piece reaches beyond 2, for reciprocals that are rounded to zero.
+    # The last piece extends beyond 2, for reciprocals that are rounded to zero.
     places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
     return ErrorTable(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
 def _check_signs(program: Program, arguments: Sequence[str]) -> None:
-    """Require that the result changes its sign with each of some arguments; ValueError if not."""
+    """Raise ValueError unless the result changes sign with each of the arguments."""
     for turned in arguments:
         parities = find_parities(program, {n: ODD if n == turned else EVEN for n in program.inputs})
         if any(parities[str(output)] == EVEN for output in program.outputs):
@@ -220,11 +222,11 @@ def _check_signs(program: Program, arguments: Sequence[str]) -> None:
 
 
 def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
-    """Bound the angle of quotients, or of their reciprocals, of at most 1."""
+    """Bound the error of angles whose quotient, or its reciprocal, is in pieces of [0, 1]."""
     program = build(kind, DOUBLE).program
     found = resolve(program, case)
     one, other = map(name_size, program.inputs)
-    # One size can be taken to be 1, as only the quotient of both sizes matters.
+    # One size can be taken to be 1, as only the quotient of the two sizes matters.
     sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
     scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
     straight = replace(found.straight, scaled=scaled)
@@ -242,7 +244,7 @@ def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
 
 
 def _prove_small(kind: str) -> ErrorTable:
-    """Bound the arctangent of what is meant to be at most 1/sqrt(3)."""
+    """Bound the error of the arctangent of arguments meant to be at most 1/sqrt(3)."""
     (name,) = build(kind, DOUBLE).program.inputs
     found = resolve(build(kind, DOUBLE).program, Case())
     find_parities(found.straight, {name: ODD})

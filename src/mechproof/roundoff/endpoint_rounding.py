@@ -1,13 +1,13 @@
-"""Endpoint rounding: an operation at the ends of what is computed, rounded as it is itself.
+"""Endpoint rounding: an operation at the ends of its operands' intervals, rounded like itself.
 
-To round to nearest keeps the order: the results lie between the rounded results at the ends. What
-the rounding leaves there says whether a power of two is passed.
+Rounding to nearest is monotone: the results lie between the rounded results at the ends. The
+remainders of the roundings there show whether an exact result passes a power of two.
 
-Of which power of two, the grid, the doubles of a step are multiples says which sums are exact. A
-double that is not below 2**e is a multiple of 2**(e - 52); sums and products of multiples are
-multiples again, and a rounded multiple is one. What is a multiple of 2**g and below 2**(g + 53) is
-a double. Gappa (Daumas and Melquiond 2010) proves the like by its predicate FIX; Sterbenz's lemma
-is a case of it.
+A step's grid, the power of two of which its results are multiples, shows which sums are exact. A
+double of at least 2**e in size is a multiple of 2**(e - 52); sums and products of multiples are
+multiples again, and rounding a multiple gives one. A multiple of 2**g below 2**(g + 53) is a
+double. Gappa (Daumas and Melquiond 2010) proves such facts by its predicate FIX; Sterbenz's lemma
+is a special case.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.running import add_exactly, fma
 from mechproof.roundoff.steps import list_factors
 
-# Exponents of the powers of two that numbers are multiples of; minus infinity if unknown.
+# Exponent of a power of two that numbers are multiples of; minus infinity if unknown.
 Grid = Ends
 BITS = 53
 NO_GRID = np.float64(-np.inf)
@@ -49,26 +49,26 @@ def find_grid(kind: str, given: Sequence[Grid]) -> Grid:
 
 
 def find_own_grid(doubles: Interval) -> Grid:
-    """Return the spacing of the smallest double in size; `NO_GRID` where zero may be among them."""
+    """Return the grid by the spacing at the smallest double in size; `NO_GRID` if that may be 0."""
     least = np.maximum(doubles.low, -doubles.high)
     apart = least > 0
     _, exponents = np.frexp(np.where(apart, least, 1.0))
-    # The least has the finest spacing, of which those of all others are multiples.
+    # The least has the finest spacing; all other spacings are multiples of it.
     return np.where(apart, exponents - float(BITS), NO_GRID)
 
 
 def find_grid_of_number(number: float) -> Grid:
-    """Return the largest power of two of which a double is a multiple."""
+    """Return the exponent of the largest power of two that divides a double; infinity for zero."""
     above, below = float(number).as_integer_ratio()
     if above == 0:
         return np.float64(np.inf)
-    # The lowest bit above and the number below are powers of two, each one bit longer than its
-    # exponent.
+    # The lowest set bit of the numerator and the denominator are powers of two, whose bit lengths
+    # exceed their exponents by one.
     return np.float64((above & -above).bit_length() - below.bit_length())
 
 
 def are_doubles(grid: Grid, results: Interval) -> Mask:
-    """Say where all multiples that round to these results are doubles themselves."""
+    """Return where all multiples of a grid that round to these results are themselves doubles."""
     largest = results.largest()
     _, exponents = np.frexp(largest)
     return np.isfinite(largest) & (exponents <= grid + BITS)
@@ -76,9 +76,9 @@ def are_doubles(grid: Grid, results: Interval) -> Mask:
 
 @dataclass(frozen=True)
 class RoundedEndpoints:
-    """Rounded results; found when asked for, how far an unrounded one may be outside of both ends.
+    """The span of rounded results, and a function that finds how far exact ones may lie outside it.
 
-    Only a power of two at an end makes anybody ask.
+    That is only needed where an end is a power of two.
     """
 
     span: Interval
@@ -86,7 +86,7 @@ class RoundedEndpoints:
 
 
 def _outward(span: Interval, find_rests: Callable[[], Sequence[Ends]]) -> RoundedEndpoints:
-    """Return rounded ends with what rounding took from them."""
+    """Return rounded ends, given what rounding took from the lower and the upper one."""
 
     def find_beyond() -> Ends:
         below, above = find_rests()
@@ -122,7 +122,7 @@ def _choose_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[
     low, high = found[0], found[0]
     for other in found[1:]:
         less, more = other[0] < low[0], other[0] > high[0]
-        # `[()]` turns arrays without axes, as plain numbers give them, back into numbers.
+        # `[()]` turns zero-dimensional arrays, which plain numbers lead to, back into numbers.
         low = tuple(np.where(less, new, old)[()] for new, old in zip(other, low, strict=True))
         high = tuple(np.where(more, new, old)[()] for new, old in zip(other, high, strict=True))
     return low[1:], high[1:]
@@ -134,7 +134,7 @@ def _square(a: Interval) -> RoundedEndpoints:
 
 
 def _fuse(a: Interval, b: Interval, c: Interval) -> RoundedEndpoints:
-    """Fuse the ends whose products are known to be the smallest and the largest."""
+    """Fuse at the ends with the smallest and the largest product; all NaN if these are unknown."""
     corners = list_corners(a, b)
     if corners is None:
         nothing = np.full(np.shape(a.low + b.low + c.low), np.nan)
@@ -145,7 +145,7 @@ def _fuse(a: Interval, b: Interval, c: Interval) -> RoundedEndpoints:
 
 
 def _fused_rest(x: Ends, y: Ends, end: Ends) -> Ends:
-    """Return, to a small share of itself, what rounding took from a fused product."""
+    """Return, with a small relative error, what rounding took from a fused product."""
     product = x * y
     total, left = add_exactly(product, end)
     return (total - fma(x, y, end)) + (left + product_rest(x, y, product))
@@ -166,14 +166,14 @@ AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
 
 
 def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> RoundedEndpoints:
-    """Enclose an operation's rounded results by those at the ends, and by an interval of it."""
+    """Enclose an operation's rounded results by those at the ends, or by `whole` if narrower."""
     if kind not in AT_ENDPOINTS:
         return RoundedEndpoints(whole, lambda: np.inf)
     found = AT_ENDPOINTS[kind](*given)
     known = found.span.is_finite
     for span in given:
         known = known & span.is_finite
-    # The negation sees to it that a NaN whole, of which nothing is known, is never the narrower.
+    # Negated, so that a NaN `whole`, about which nothing is known, never counts as the narrower.
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
@@ -183,11 +183,12 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
 
 
 def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
-    """Bound a rounding by `ulps` spacings of doubles at the largest result."""
+    """Bound a rounding error by `ulps` times the spacing of doubles at the largest result."""
     largest = rounded.span.largest()
     share, exponent = np.frexp(largest)
     if np.any(is_power := share == 0.5):
-        # It is a double: a result hardly beyond it is off by less than those below it are.
+        # A power of two is a double: a result barely beyond it rounds back to it, and is off by
+        # less than results below it may be.
         passed = is_power & (rounded.find_beyond() <= largest * HARDLY)
         exponent = np.where(passed, exponent - 1, exponent)
     limit = ulps * np.ldexp(UNIT, exponent)
@@ -195,19 +196,19 @@ def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
 
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:
-    """Enclose numbers that are off by `ulps` ulps from those in an interval."""
-    # An ulp is at most EPS of its number; twice that covers the rounding of the ends.
+    """Enclose the numbers within `ulps` ulps of those in an interval."""
+    # An ulp is at most EPS times its number; twice that covers the rounding of the ends.
     share = 2 * ulps * EPS
     return Interval(span.low - np.abs(span.low) * share, span.high + np.abs(span.high) * share)
 
 
 def within_one(span: Interval) -> Interval:
-    """Limit an interval to numbers of at most 1 in size."""
+    """Return the interval cut to [-1, 1]."""
     return Interval(np.maximum(span.low, -1.0), np.minimum(span.high, 1.0))
 
 
 def shifts(kind: str, given: Sequence[Interval]) -> Mask:
-    """Say where the operation multiplies or divides by a single power of two."""
+    """Return where the operation multiplies or divides by a single power of two."""
     known: Mask = False
     for factor in list_factors(kind, given):
         known = known | (factor.low == factor.high) & (np.abs(np.frexp(factor.low)[0]) == 0.5)
@@ -215,9 +216,9 @@ def shifts(kind: str, given: Sequence[Interval]) -> Mask:
 
 
 def limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
-    """Bound the rounding of a sum by a term of it: the other one is a double."""
+    """Bound the rounding error of a sum of doubles by its smaller term; else return infinity."""
     if kind in ("add", "subtract"):
-        # The double next to a + b is no farther from it than a is, which is |b|; and the same with
-        # b. Where one size is not known the other is a bound all the same.
+        # The double nearest to a + b is no farther from it than a is, that is |b|, and no farther
+        # than b, that is |a|. Where one size is unknown, the other still bounds.
         return np.fmin(given[0].largest(), given[1].largest())
     return np.inf

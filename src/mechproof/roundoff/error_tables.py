@@ -1,4 +1,4 @@
-"""Error tables: by how much an elementary function is off at most, for pieces of its arguments."""
+"""Error tables: bounds on the error of an elementary function, for pieces of its arguments."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ import numpy as np
 
 from mechproof.arithmetic.intervals import PI, Array, Ends, Interval, exactly
 
-# More than the rounding errors with which a place is computed.
+# More than the relative rounding errors of computing a place.
 SLACK = 2.0**-40
 
 
 @dataclass(frozen=True, eq=False)
 class ErrorTable:
-    """Bounds in eps of the value, between edges of the places that arguments have.
+    """Bounds in eps of the value, for pieces between `edges` of the places of arguments.
 
-    `highest` has the largest bound from each piece to each later one. The place of an angle is its
-    distance from the nearest whole half turn; an angle below `near` is not reduced and has bounds
-    of its own, one up to `largest` has a place. Arguments that are no angles are meant to be at
-    most `legal`; beyond the last edge nothing is known.
+    `highest[i, j]` is the largest bound over pieces i to j. The place of an angle is its distance
+    from the nearest multiple of pi; angles up to `largest` have one. Angles below `near` are not
+    reduced and have their own bounds, `unreduced`. Other arguments are meant to be at most `legal`.
+    Beyond the last edge no bound is known.
     """
 
     edges: Array
@@ -41,7 +41,7 @@ class ErrorTable:
         return self.unreduced is not None
 
     def of_angle(self, angle: Interval, reduced: Interval) -> Ends:
-        """Return the bound for angles, given also as they are less whole turns."""
+        """Return the bounds for angles, given also as reduced by whole turns."""
         assert self.unreduced is not None
         least, most = _fold(reduced)
         usual = self._find(self.highest, least, most)
@@ -51,12 +51,12 @@ class ErrorTable:
         return np.where(size <= self.largest, found, np.nan)
 
     def limit(self, argument: Interval, off: Ends) -> Interval:
-        """Limit an argument to what is legal and the error that it may have."""
+        """Return an argument limited in size to `legal` plus the error that it may have."""
         most = np.where(np.isfinite(off), self.legal + off, np.inf)
         return Interval(np.maximum(argument.low, -most), np.minimum(argument.high, most))
 
     def of_size(self, size: Interval) -> Ends:
-        """Return the bound for sizes; those above 1 have their place by their reciprocal."""
+        """Return the bounds for sizes; a size s above 1 has the place 2 - 1/s."""
         return self._find(self.highest, _place(size.low, -SLACK), _place(size.high, SLACK))
 
     def _find(self, highest: Array, low: Ends, high: Ends) -> Ends:
@@ -72,7 +72,7 @@ class ErrorTable:
 
 
 def find_highest(bounds: Array) -> Array:
-    """Return the highest bound from each piece to each later one."""
+    """Return the matrix of the highest bounds over pieces i to j."""
     rows: list[Any] = []
     for first in range(len(bounds)):
         rows.append(np.maximum.accumulate(np.where(np.arange(len(bounds)) < first, 0.0, bounds)))
@@ -85,7 +85,7 @@ def _place(size: Ends, slack: float) -> Ends:
 
 
 def _fold(angle: Interval) -> tuple[Ends, Ends]:
-    """Return how far angles are at least and at most from whole half turns."""
+    """Return the least and the largest distance of angles from multiples of pi."""
     middle = np.where(angle.is_finite, angle.low + (angle.high - angle.low) / 2, 0.0)
     turns = np.rint(middle / np.pi)
     near = angle - PI * Interval(turns, turns)

@@ -1,13 +1,13 @@
 """Interval monomials: intervals times powers of variables that may be zero.
 
-What vanishes with a variable keeps it as a factor: quotients of what vanishes alike stay finite on
-boxes that hold zero, and an error is compared with a value that vanishes as it does. A pole is a
-monomial too: the reciprocal of a variable that is its value's reciprocal. Gappa (Daumas and
-Melquiond 2010) rewrites quotients until what cancels is gone; here the common factor is never put
-in.
+A value that vanishes with a variable keeps it as a factor: quotients of values that vanish alike
+stay finite on boxes that contain zero, and an error can be compared with a value that vanishes as
+fast. A pole is a monomial too: the reciprocal of a variable that stands for the value's reciprocal.
+Gappa (Daumas and Melquiond 2010) rewrites quotients until common factors have cancelled; here they
+are never multiplied in.
 
-Many boxes are bounded together, as far as the same things hold in them; those in which something
-else holds on their own.
+Boxes are bounded together if the same decisions hold in them; boxes where decisions differ are
+bounded separately.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ from mechproof.arithmetic.intervals import (
 Powers = tuple[int, ...]
 # The most boxes that are bounded together.
 TOGETHER = 8192
-# Called with boxes and with the first decisions.
+# Bounds boxes in which all decisions agree, given the first few of these.
 BoundAlike = Callable[[Boxes, tuple[int, ...]], Array]
 Rows = NDArray[np.intp]
-# An interval is wide if its largest size is at least so many times its least.
+# An interval is wide if the ratio of its largest to its least absolute value exceeds this.
 WIDE = 1.25
 
 
 class MixedBoxesError(Exception):
-    """The boxes differ in what holds; each is in one of the masks."""
+    """Raised if a decision differs between boxes; each box is in one of the masks."""
 
     def __init__(self, path: tuple[int, ...], masks: Sequence[Mask]) -> None:
         super().__init__("boxes that differ in what holds")
@@ -48,10 +48,11 @@ class MixedBoxesError(Exception):
 
 
 class BoxVariables:
-    """The variables of one evaluation, the intervals they are in, and which are never negative.
+    """The variables of one evaluation, their intervals, and which of them are never negative.
 
-    It holds many boxes at once. What is decided differently for some is decided by `choose`:
-    `forced` are the first decisions. `nonzero` are the indices of variables that never vanish.
+    They cover many boxes at once. `choose` makes decisions that may differ between boxes: `forced`
+    are the first of these. `nonzero` are the indices of variables that never vanish; `poles` and
+    `zeros` count the variables reserved for poles and for values that may vanish.
     """
 
     def __init__(
@@ -69,7 +70,7 @@ class BoxVariables:
         self.spans = list(spans)
         self._free = list(range(len(spans), len(spans) + more))
         self.none: Powers = (0,) * (len(spans) + more)
-        # Values of functions that may vanish, shared by all steps that ask for them.
+        # Function values that may vanish, shared by all steps that use them.
         self._named: dict[Hashable, IntervalMonomial] | None = {} if zeros else None
         self._known: dict[Powers, Interval] = {}
         self._forced = forced
@@ -78,7 +79,7 @@ class BoxVariables:
     def choose(self, *masks: Mask) -> int:
         """Return the index of the mask that holds in all boxes; `MixedBoxesError` if they differ.
 
-        Each box is in one mask: in the last where nothing can be said of it.
+        Each box is in exactly one mask; by convention the last means undecided.
         """
         if len(self._path) < len(self._forced):
             choice = self._forced[len(self._path)]
@@ -100,33 +101,33 @@ class BoxVariables:
         return IntervalMonomial(self, ONE, powers)
 
     def is_apart(self, index: int) -> bool:
-        """Say whether a variable never vanishes."""
+        """Return whether a variable's interval excludes zero."""
         span = self.spans[index]
         apart = (span.low > 0) | (span.high < 0)
         return self.choose(apart, ~apart) == 0
 
     def never_vanish(self, powers: Powers) -> Mask:
-        """Say where no variable of a product of powers may be zero."""
+        """Return where no variable of a product of powers may be zero."""
         spans = (self.spans[i] for i, p in enumerate(powers) if p and i not in self._nonzero)
         return reduce(np.logical_and, ((s.low > 0) | (s.high < 0) for s in spans), True)
 
     def is_positive(self, powers: Powers) -> bool:
-        """Say whether a product of powers is never negative."""
+        """Return whether a product of powers is never negative."""
         return self.keep_positive(powers) == powers
 
     def keep_positive(self, powers: Powers) -> Powers:
-        """Return powers that are never negative, each the same or one less."""
+        """Return powers whose product is never negative, each exponent the same or one less."""
         return tuple(
             power if power % 2 == 0 or positive else power - 1
             for power, positive in zip(powers, self._positive, strict=True)
         )
 
     def intern(self, powers: Powers) -> Powers:
-        """Return the shared object `none` for powers that are all zero."""
+        """Return the shared object `none` if all powers are zero, else the powers unchanged."""
         return powers if any(powers) else self.none
 
     def add_variable(self, span: Interval) -> IntervalMonomial:
-        """Take in a variable that may vanish, or the reciprocal of what has a pole."""
+        """Add a variable for a value that may vanish, or for the reciprocal of one with a pole."""
         index = self._free.pop(0)
         self.spans.append(span)
         return self.variable(index)
@@ -134,11 +135,11 @@ class BoxVariables:
     def name(
         self, function: Function, argument: IntervalMonomial, value: Interval
     ) -> IntervalMonomial:
-        """Return a function's value; one near zero becomes a variable, the same for all who ask.
+        """Return a function's value; one near zero becomes a variable, shared by all its uses.
 
         So it cancels where it is divided by itself.
         """
-        # Only a number times powers of variables is known to be the same wherever it stands.
+        # Only an exact number times powers of variables is known to be the same at every use.
         if self._named is None or not np.all(argument.span.low == argument.span.high):
             return self.constant(value)
         wide = self.constant(value).is_wide
@@ -150,7 +151,7 @@ class BoxVariables:
         return self._named[key]
 
     def expand(self, powers: Powers) -> Interval:
-        """Return a product of powers; not finite for reciprocals of what may vanish."""
+        """Return the interval of a product of powers; not finite for reciprocals with a pole."""
         if powers not in self._known:
             product = ONE
             for span, power in zip(self.spans, powers, strict=False):
@@ -173,7 +174,7 @@ class IntervalMonomial:
             return IntervalMonomial(self.variables, self.span + other.span, self.powers)
         if other._is_zero or self._is_zero:
             return self if other._is_zero else other
-        # Only factors that both terms vanish with are factors of the sum.
+        # Only factors common to both terms are factors of the sum.
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         return IntervalMonomial(self.variables, self._over(common) + other._over(common), common)
 
@@ -190,7 +191,7 @@ class IntervalMonomial:
 
     def __mul__(self, other: IntervalMonomial) -> IntervalMonomial:
         powers, others, none = self.powers, other.powers, self.variables.none
-        # Most monomials have no powers, which the identity of `none` tells at once.
+        # Most monomials have no powers, which an identity check with `none` shows at once.
         if powers is none:
             powers = others
         elif others is not none:
@@ -220,17 +221,17 @@ class IntervalMonomial:
 
     @property
     def is_wide(self) -> Mask:
-        """Say where the interval is wide for its distance from zero, holds zero or is not known."""
+        """Return where the interval is wide for its distance from zero, contains zero or is NaN."""
         return ~(np.maximum(self.span.low, -self.span.high) * WIDE > self.span.largest())
 
     def expanded(self) -> Interval:
-        """Return the interval of the value."""
+        """Return the interval of the value, powers multiplied in."""
         if self.powers is self.variables.none or self._is_zero:
             return self.span
         return self.span * self.variables.expand(self.powers)
 
     def over(self, powers: Powers) -> IntervalMonomial:
-        """Return the value as a multiple of the powers of those variables that never vanish."""
+        """Return the value with the given powers of variables that never vanish as its powers."""
         kept = [p if p and self.variables.is_apart(i) else 0 for i, p in enumerate(powers)]
         inverse = self.variables.expand(tuple([-p for p in kept]))
         return IntervalMonomial(
@@ -238,21 +239,21 @@ class IntervalMonomial:
         )
 
     def decide_sign(self) -> int:
-        """Return the sign of the value, which may be zero as well; 0 if it is not known."""
+        """Return 1 if the value is nowhere negative, -1 if nowhere positive; 0 if unknown."""
         if not self.variables.is_positive(self.powers):
             return 0
         above, below = self.span.low >= 0, self.span.high <= 0
         return (1, -1, 0)[self.variables.choose(above, below & ~above, ~(above | below))]
 
     def size(self) -> IntervalMonomial:
-        """Return the absolute value, keeping even powers of variables that may be negative."""
+        """Return the absolute value; variables that may be negative keep only even powers."""
         kept = self.variables.intern(self.variables.keep_positive(self.powers))
         return IntervalMonomial(self.variables, self._over(kept).size(), kept)
 
     def extreme(
         self, other: IntervalMonomial, choose: Callable[[Ends, Ends], Ends]
     ) -> IntervalMonomial:
-        """Return the larger or the smaller of two values; `choose` does so for their ends."""
+        """Return the larger or the smaller of two values, as `choose` picks from their ends."""
         common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
         if not self.variables.is_positive(common):
             common = self.variables.none
@@ -261,7 +262,7 @@ class IntervalMonomial:
         return IntervalMonomial(self.variables, span, common)
 
     def hull(self, other: IntervalMonomial) -> IntervalMonomial:
-        """Return what both values are in."""
+        """Return the smallest monomial found that encloses both values."""
         low, high = self.extreme(other, np.minimum), self.extreme(other, np.maximum)
         return IntervalMonomial(self.variables, Interval(low.span.low, high.span.high), low.powers)
 
@@ -273,7 +274,10 @@ class IntervalMonomial:
 
 
 def split_cases(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -> Array:
-    """Return the bounds of `count` boxes, computed for rows of them and their first decisions."""
+    """Return the bounds of `count` boxes, splitting them where a decision differs between boxes.
+
+    `compute` takes indices of boxes and their first decisions.
+    """
     bounds = np.full(count, np.inf)
     waiting: list[tuple[Rows, tuple[int, ...]]] = [(np.arange(count), ())]
     while waiting:
@@ -289,7 +293,7 @@ def split_cases(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -
 
 
 def bound_in_groups(compute: BoundAlike, boxes: Boxes) -> Array:
-    """Return the bounds of boxes; infinite where there is none."""
+    """Return the bounds of boxes, computed in groups of like signs; infinite where unknown."""
     bounds = np.full(len(boxes), np.inf)
     if not len(boxes):
         return bounds

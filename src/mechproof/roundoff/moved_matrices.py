@@ -1,10 +1,11 @@
 """Moved matrices: in, how roundings move the entries of a matrix; out, how far they move its map.
 
-A rounding moves all entries by one number times another matrix D, known but for what it varies by
-in a box, and for all roundings the map of a point p moves by at most the sum of |q*D*p| in the
-direction q. That sum is convex in p, in q and along the sides of the box: for points of a sphere it
-is largest at a corner of a polytope around it. The sum of the norms of all D is more, as not all of
-them are largest for one p and q, and so is the norm of the sum of their absolute values.
+A rounding moves all entries by a number times a matrix D, which is known up to its variation within
+a box. All roundings together move the image of a point p by at most the sum of |q*D*p| in the
+direction q. That sum is convex in p, in q and along the sides of the box, so over points of a
+sphere it is at most its largest value at the corners of a polytope around it. The sum of the norms
+of all D is larger, as they are not all attained for one p and q, and so is the norm of the sum of
+their absolute values.
 """
 
 from __future__ import annotations
@@ -22,20 +23,21 @@ from mechproof.arithmetic.intervals import Array, Interval
 from mechproof.arithmetic.linear_forms import state
 
 GOLDEN = (1 + math.sqrt(5)) / 2
-# Triangles along the side of a face of the polytope, and the decimals of its corners.
+# The number of triangles along the side of an icosahedron's face, and the decimals of corners.
 ALONG, DECIMALS = 3, 12
-# So many pairs of directions are looked at closely.
+# The number of pairs of directions whose sums are bounded more closely.
 CLOSELY = 64
-# More than the roundings of a sum over many matrices.
+# A factor that covers the roundings of a sum over many matrices.
 SLACK = 1 + 2.0**-36
 
 
 @dataclass(frozen=True)
 class MovedMatrix:
-    """By which matrices roundings move a matrix in boxes, and a bound of what else they do.
+    """The matrices by which roundings move a matrix in boxes, and a bound on everything else.
 
-    The matrices are those in the middle of a box, and how each changes towards the end of its
-    sides; axes are roundings, middle and sides, rows, columns, boxes.
+    For each rounding, `moves` has the matrix at the middle of a box and its change towards the end
+    of each side; axes are roundings, middle and sides, rows, columns, boxes. `rest` has the axes
+    rows, columns, boxes.
     """
 
     moves: Array
@@ -45,9 +47,9 @@ class MovedMatrix:
 def sort_moves(
     moves: Sequence[Sequence[Mapping[str, Interval]]], boxes: tuple[int, ...] = ()
 ) -> MovedMatrix:
-    """Sort what roundings do; what moves one entry alone is in the rest.
+    """Collect the moves of all entries; roundings that move a single entry go to the rest.
 
-    `boxes` is the shape of all boxes, where moves may be the same in each.
+    `boxes` is the shape of all boxes, to which moves may have to be broadcast.
     """
     known = [move for row in moves for cell in row for move in cell.items()]
     times = Counter(name for name, _ in known)
@@ -73,19 +75,19 @@ def sort_moves(
 
 
 def bound_stretch(moved: MovedMatrix) -> Array:
-    """Bound |q*D*p| added up over all matrices D, for |p| = |q| = 1."""
+    """Bound the sum of |q*D*p| over all matrices D, for |p| = |q| = 1, in each box."""
     corners = list_corners()
     pairs = np.einsum("ai,bj->ijab", corners, corners).reshape(corners.shape[1] ** 2, -1)
     roundings, parts = moved.moves.shape[:2]
     moves = np.moveaxis(moved.moves.reshape(roundings, parts, len(pairs), -1), -1, 0)
     rests = moved.rest.reshape(len(pairs), -1).T
-    # Box by box, so that the products with all pairs stay near the processor.
+    # Box by box, so that the products with all pairs stay in the processor's cache.
     found = [_find_largest(*box, pairs) for box in zip(moves, rests, strict=True)]
     return np.reshape(found, moved.rest.shape[2:]) * SLACK
 
 
 def _find_largest(moves: Array, rest: Array, pairs: Array) -> float:
-    """Return the largest sum for any pair of directions, the most likely ones looked at closely."""
+    """Return the largest sum over pairs of directions, bounding the likeliest more closely."""
     sizes = np.abs(pairs)
     still = np.abs(moves[:, 0] @ pairs).sum(axis=0) + rest @ sizes
     if moves.shape[1] == 1:
@@ -95,8 +97,8 @@ def _find_largest(moves: Array, rest: Array, pairs: Array) -> float:
     near, others = order[:CLOSELY], order[CLOSELY:]
     values = moves @ pairs[:, near]
     middle, changes = values[:, 0], values[:, 1:]
-    # Where a product keeps its sign, its changes add up with those of others before any size is
-    # taken.
+    # Where a product keeps its sign, its changes are added to those of others before any absolute
+    # value is taken.
     turned = np.maximum(np.abs(changes).sum(axis=1) - np.abs(middle), 0.0).sum(axis=0)
     along = np.abs((np.sign(middle)[:, np.newaxis] * changes).sum(axis=0)).sum(axis=0)
     return float(np.maximum((still[near] + 2 * turned + along).max(), high[others].max()))
@@ -104,17 +106,17 @@ def _find_largest(moves: Array, rest: Array, pairs: Array) -> float:
 
 @cache
 def list_corners() -> Array:
-    """List the corners of a polytope around the unit sphere, one of each two that are opposite.
+    """List the corners of a polytope around the unit sphere, one of each opposite pair.
 
-    They are those of an icosahedron and of its divided faces, so far out that the planes of all
-    triangles are outside.
+    They are those of an icosahedron with divided faces, moved out until the planes of all triangles
+    are outside the sphere.
     """
     pairs = [(s, t * GOLDEN) for s in (-1.0, 1.0) for t in (-1.0, 1.0)]
     solid = [np.roll((0.0, *pair), place) for pair in pairs for place in range(3)]
     faces = [face for face in itertools.combinations(solid, 3) if _measure_longest(face) < 2.1]
     triangles = np.array([part for face in faces for part in _divide(*face)])
     triangles /= np.linalg.norm(triangles, axis=2, keepdims=True)
-    # Corners of neighbours become the same; a zero has no sign.
+    # Rounded, the corners of neighbours coincide; adding 0.0 removes the signs of zeros.
     triangles = np.round(triangles, DECIMALS) + 0.0
     one, two, three = np.moveaxis(triangles, 1, 0)
     normals = np.cross(two - one, three - one)
@@ -130,7 +132,7 @@ def _measure_longest(face: Sequence[Array]) -> float:
 
 
 def _divide(a: Array, b: Array, c: Array) -> Iterator[list[Array]]:
-    """Yield the triangles that a triangle is divided into, with so many along each side."""
+    """Yield the triangles of a subdivided triangle, with `ALONG` of them along each side."""
     for i, j in itertools.product(range(ALONG), repeat=2):
         if i + j < ALONG:
             places = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)]

@@ -1,10 +1,10 @@
-"""Reduction: what rounding makes of an angle less the nearest number of quarter turns.
+"""Reduction: the rounding error of an angle less the nearest number of quarter turns.
 
-The number times the first word and the angle are multiples of one unit, and their difference is
-small: the first fma is exact. The second rounds once. The last word is no more than the rounding of
-a third, unless the angle is nearer to a multiple than `NEAR`, and what the words leave is nothing.
-The words are those of Cody and Waite (1980), with an fma in place of trailing zeros (Boldo, Daumas
-and Li 2009).
+The angle and the number times the first word are multiples of one unit, and their difference is
+small: the first fma is exact. The second rounds once. The last word amounts to no more than the
+rounding of the third fma unless the angle is within `NEAR` of a multiple, and what the three words
+omit is negligible. The words are those of Cody and Waite (1980), with an fma in place of trailing
+zeros (Boldo, Daumas and Li 2009).
 """
 
 from __future__ import annotations
@@ -22,17 +22,20 @@ from mechproof.arithmetic.intervals import EPS, UNIT
 from mechproof.programs.elementary.fits import MARGIN
 from mechproof.programs.elementary.formats import DOUBLE
 
-# Precision in bits: three words of pi/2 hold some 159, and what they leave takes twice as many.
+# Precision in bits: three words of pi/2 have some 159, and what they omit takes twice as many.
 BITS = 300
 # Angles at least this far from a multiple of a quarter turn hardly need the last word.
 NEAR = 2.0**-24
-# Factor that covers the roundings of the computations here, and smaller shares.
+# Factor that covers the roundings of the computations here, and other small shares.
 MORE = 1 + 2.0**-20
 
 
 @dataclass(frozen=True)
 class ReductionError:
-    """How far off a reduced angle is, in eps of itself, besides half an ulp of its rounding."""
+    """The error of a reduced angle in eps of itself, besides the half ulp of one rounding.
+
+    `near` is for angles within `NEAR` of a multiple of a quarter turn, `far` for all others.
+    """
 
     far: float
     near: float
@@ -40,13 +43,13 @@ class ReductionError:
 
 @cache
 def bound_reduction(per: float, words: tuple[float, ...]) -> ReductionError:
-    """Bound what is left of angles up to the largest; ValueError where that cannot be shown."""
+    """Bound the error of reduced angles up to the largest; ValueError if that cannot be shown."""
     if len(words) != 3:
         raise ValueError(f"{words}: not three words of a quarter turn")
     with working_precision(BITS):
         quarter = arb.pi() / 2
         left = _above(abs(quarter + sum(map(arb, words), arb(0))))
-        # The words are negative, as they are to be subtracted.
+        # The words are negative, so that an fma subtracts them.
         after_first = _above(abs(quarter + arb(words[0])))
         miss = _above(abs(arb(per) - 1 / quarter))
     largest = DOUBLE.largest
@@ -77,10 +80,10 @@ def _above(ball: arb) -> float:
 
 @cache
 def find_nearest(largest: float) -> float:
-    """Bound from below how near doubles up to the largest come to multiples of a quarter turn.
+    """Return a lower bound of the distance of doubles up to `largest` from quarter turns.
 
-    In a binade doubles are multiples of a unit, and the multiples of pi/2 that are nearest to
-    those of it are those by the denominators of a continued fraction.
+    In a binade doubles are multiples of a unit, and the multiples of pi/2 that come nearest to
+    them are by denominators of a continued fraction's convergents.
     """
     with working_precision(BITS):
         mantissa, exponent = (arb.pi() / 2).mid().man_exp()
@@ -98,7 +101,7 @@ def find_nearest(largest: float) -> float:
 
 
 def _list_denominators(number: Fraction, most: Fraction) -> Iterator[int]:
-    """List the denominators of the convergents of a number."""
+    """Yield the denominators, up to `most`, of the convergents of a number."""
     before, last = 0, 1
     while last <= most:
         yield last

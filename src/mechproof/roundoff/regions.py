@@ -1,9 +1,9 @@
-"""Regions: in, a chart; out, ranges of its coordinates within which whole turns are told apart.
+"""Regions: in, a chart; out, boxes of its coordinates, divided by the number of whole turns.
 
-An angle below half a turn is a coordinate itself. Beyond, its rest is one, and so is, for many
-turns, the reciprocal of the whole angle. Whether arguments lie in a chart, but for signs, is told
-by their coordinates, which are what their expressions are solved for. What is turned has the
-nearest number of turns; any other would do, where a rest that is in its range is a proof.
+An angle below half a turn is itself a coordinate. Beyond that its rest after whole turns is one
+and, for many turns, so is the reciprocal of the whole angle. Whether arguments lie in a chart, up
+to signs, is decided by their coordinates, for which the chart's expressions are solved. A turned
+angle takes the nearest number of turns; any number would do for which the rest lies in its range.
 """
 
 from __future__ import annotations
@@ -32,22 +32,22 @@ from mechproof.roundoff.steps import EXACT, StraightLineProgram
 from mechproof.roundoff.symmetry import ODD, list_negated
 
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
-# Slightly more than half a turn, to include angles where rounding decides the number of turns.
+# Slightly more than half a turn, to include angles whose number of turns depends on rounding.
 HALF_TURN = math.pi * (1 + 2.0**-40)
-# Numbers of turns below this are told apart, with a smaller limit where a rest has coordinates; all
-# others are one region.
+# Each number of turns below this has its own region, with a lower limit where the rest has
+# coordinates; all higher numbers share one region.
 APART, APART_FROM_REST = 4, 2
 TURNS, PI_NAME = sp.Symbol("turns"), CONSTANTS[sp.pi]
 Signs = frozenset[str]
-# Differences below this are put down to rounding.
+# Differences below this are attributed to rounding.
 NEAR = 1e-9
 
 
 @dataclass(frozen=True)
 class ChartRegion:
-    """A box of coordinates; for an angle beyond half a turn, of its rest, with the number of turns.
+    """A box of coordinates; for an angle beyond half a turn, of its rest after `turns` turns.
 
-    Without a number of turns the last side is the reciprocal of the whole angle.
+    If a turned region has no number of turns, the last side is the reciprocal of the whole angle.
     """
 
     chart: Chart
@@ -57,7 +57,7 @@ class ChartRegion:
     turns: int | None = None
 
     def describe(self) -> str:
-        """Name the region."""
+        """Return the region's name by its number of turns."""
         if not self.is_turned:
             return "no turn" if self.chart.angle else "all"
         return "more turns" if self.turns is None else f"{self.turns} turns"
@@ -71,10 +71,13 @@ class ChartRegion:
         *,
         has_forms: bool = False,
     ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
-        """Return the variables of boxes, its coordinates as monomials and the angle's turn."""
+        """Return the variables of boxes, the coordinates as monomials, and the angle's turn.
+
+        `poles` and `zeros` are the numbers of variables to reserve for poles and vanishing values.
+        """
         spans = list_spans(boxes, has_forms=has_forms)
         if self.turns is not None:
-            # The reciprocal of the angle, which is known when its rest is.
+            # Placeholder for the reciprocal of the angle, which is set once the rest is known.
             spans.append(ONE)
         nonzero = {i for i, name in enumerate(self.names) if self._leaves_zero_out(name)}
         variables = BoxVariables(spans, self._list_positive(boxes), poles, forced, zeros, nonzero)
@@ -91,13 +94,13 @@ class ChartRegion:
         return variables, {**monomials, self.angle: angle}, turn
 
     def count_first(self) -> int:
-        """Count the sides to cut first: not that of the whole angle if its rest has coordinates."""
+        """Count the sides to cut first: all, but the whole angle's if the rest has coordinates."""
         return len(self.box) if self.chart.rest is None else len(self.names)
 
     def _find_residue(
         self, variables: BoxVariables, monomials: Mapping[sp.Symbol, IntervalMonomial]
     ) -> tuple[IntervalMonomial, int]:
-        """Return what is left of the angle, and the half turns taken off besides whole ones."""
+        """Return the rest of the angle, and the half turns (0 or 1) taken off with whole ones."""
         if self.chart.rest is None:
             return variables.constant(monomials[self.angle].expanded()), 0
         half = self.chart.rest.subs(dict.fromkeys(monomials, 0))
@@ -110,13 +113,13 @@ class ChartRegion:
         return bool(within.inf == 0 and within.left_open)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
-        """Say which coordinates are never negative; the reciprocal of a turned angle never is."""
+        """Return whether each coordinate, and the inverse of a turned angle, is never negative."""
         positive = [bool(np.all(boxes[:, i, 0] >= 0)) for i in range(len(self.names))]
         return [*positive, True] if self.is_turned else positive
 
     @property
     def angle(self) -> sp.Symbol:
-        """Return the angle that is taken off by whole turns."""
+        """Return the angle that is reduced by whole turns."""
         assert self.chart.angle is not None
         return self.chart.angle
 
@@ -124,7 +127,7 @@ class ChartRegion:
 def express(
     value: sp.Expr, variables: BoxVariables, monomials: Mapping[sp.Symbol, IntervalMonomial]
 ) -> IntervalMonomial:
-    """Return the monomial of a polynomial in coordinates."""
+    """Return the monomial of a polynomial in coordinates; ValueError for anything else."""
     if value in monomials:
         return monomials[value]
     if value.is_Number:
@@ -145,10 +148,10 @@ def express(
 
 
 def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonomial:
-    """Return a sum whose ends are moved outward only where they are rounded.
+    """Return a sum whose ends are moved outwards only where they are rounded.
 
-    So 1 - d is at most 1 where d is not negative, and the ends pass no power of two that the sum
-    itself does not pass.
+    So 1 - d is at most 1 where d is not negative, and an end crosses a power of two only if the
+    sum itself does.
     """
     total = one + other
     if any(total.powers):
@@ -164,7 +167,7 @@ def _add_nearly(one: IntervalMonomial, other: IntervalMonomial) -> IntervalMonom
 
 
 def list_regions(chart: Chart) -> Iterator[ChartRegion]:
-    """Divide a chart by whole turns of its angle; negative angles go by symmetry."""
+    """Yield a chart's regions by whole turns of its angle; symmetry covers negative angles."""
     names = tuple(chart.within)
     box = tuple(_enclose(chart.within[name]) for name in names)
     if chart.angle is None:
@@ -187,7 +190,7 @@ def list_regions(chart: Chart) -> Iterator[ChartRegion]:
 def _list_turned(
     chart: Chart, names: tuple[sp.Symbol, ...], box: Box, high: float
 ) -> Iterator[ChartRegion]:
-    """List the turns whose angles, at most half a turn from there, are not all above a number."""
+    """Yield a region for each number of turns below `high` radians, and one for many."""
     is_half = chart.rest is not None and chart.rest.has(sp.pi)
     apart = APART if chart.rest is None else APART_FROM_REST
     for turns in range(0 if is_half else 1, apart):
@@ -195,13 +198,13 @@ def _list_turned(
             yield ChartRegion(chart, names, box, True, turns)
     last = 2 * math.pi * apart - HALF_TURN
     if last < high:
-        # Through their reciprocals, unbounded angles become a box with ends.
+        # The reciprocals of unbounded angles form a bounded box.
         inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
         yield ChartRegion(chart, names, (*box, inverse), True)
 
 
 def _enclose(interval: sp.Interval) -> Side:
-    """Return doubles on or beyond the ends of an interval."""
+    """Return the doubles at or just beyond the ends of an interval."""
     start, end = float(interval.inf), float(interval.sup)
     if interval.inf.is_finite and sp.Rational(start) > interval.inf:
         start = math.nextafter(start, -math.inf)
@@ -211,16 +214,16 @@ def _enclose(interval: sp.Interval) -> Side:
 
 
 def put_side(box: Sequence[Side], index: int, side: Side) -> Box:
-    """Return a box with another side."""
+    """Return a box with one side replaced."""
     return (*box[:index], side, *box[index + 1 :])
 
 
 def add_up(
     straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
 ) -> Mapping[str, sp.Expr]:
-    """Return the sums of arguments and numbers, written in coordinates.
+    """Return the results that are sums of arguments and numbers, written in coordinates.
 
-    What cancels there, 1 - e for e = 1 - d, does so before balls are put in.
+    What cancels in coordinates, such as 1 - e for e = 1 - d, thus cancels symbolically.
     """
     values = {names[symbol]: value for symbol, value in chart.arguments.items()}
     sums: dict[str, sp.Expr] = {}
@@ -237,19 +240,19 @@ def add_up(
 
 @cache
 def _factor(value: sp.Expr) -> sp.Expr:
-    """Factor a sum, once for all ways of computing a form, as these share their sums."""
+    """Factor a sum; cached, as all ways of computing a form share their sums."""
     return sp.factor(value)
 
 
 @dataclass(frozen=True)
 class ChartMembership:
-    """For each chart what is not negative inside it; the arguments whose signs do not matter."""
+    """Gaps that are nonnegative inside each chart, and sets of arguments that may be negated."""
 
     gaps: tuple[Program, ...]
     signs: tuple[Signs, ...]
 
     def holds(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
-        """Say where arguments are for certain inside."""
+        """Return where arguments are certainly inside a chart, up to signs."""
         given = {PI_NAME: arithmetic["arctan"](arithmetic["number"](1)) * 4, **given}
         turned = ({n: -v if n in names else v for n, v in given.items()} for names in self.signs)
         return reduce(or_, (_hold(gaps, some, arithmetic) for some in turned for gaps in self.gaps))
@@ -294,7 +297,7 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
 
 @cache
 def _draw(symbol: sp.Basic) -> sp.Dummy:
-    """Return the symbol that stands for the value of an argument, the same in all charts."""
+    """Return the symbol for the value of an argument, the same in all charts."""
     return sp.Dummy(str(symbol))
 
 
@@ -302,9 +305,9 @@ def _draw(symbol: sp.Basic) -> sp.Dummy:
 def _solve(
     equations: tuple[sp.Expr, ...], coordinates: tuple[sp.Symbol, ...]
 ) -> Sequence[Mapping[sp.Symbol, sp.Expr]]:
-    """Solve equations, once for all kernels with these charts.
+    """Solve equations for coordinates; cached for all kernels with these charts.
 
-    Solutions with a wrong sign of a root are not left out here: checking takes SymPy as long again.
+    Solutions with a wrong sign of a root are kept: to check them takes SymPy as long again.
     """
     found: list[dict[sp.Symbol, sp.Expr]] = sp.solve(equations, coordinates, dict=True, check=False)
     return found
@@ -313,7 +316,7 @@ def _solve(
 def _is_at_middle(
     chart: Chart, drawn: Mapping[sp.Basic, sp.Dummy], place: Mapping[sp.Symbol, sp.Expr]
 ) -> bool:
-    """Say whether a solution is the one, of both signs of a root, that gives the coordinates."""
+    """Return whether a solution, of those by the signs of roots, recovers the middle of a chart."""
     middle = {
         name: (side.inf + side.sup) / 2 if side.sup.is_finite else sp.S.One
         for name, side in chart.within.items()
@@ -326,7 +329,7 @@ def _is_at_middle(
 
 
 def _list_gaps(value: sp.Expr, side: sp.Interval) -> Iterator[sp.Expr]:
-    """List how far a coordinate is above and below the ends of its range."""
+    """Yield how far a coordinate is inside each finite end of its range."""
     if side.inf.is_finite:
         yield value - side.inf
     if side.sup.is_finite:

@@ -1,7 +1,7 @@
-"""Rules: for each kind of operation its value and its partial derivatives, in monomials.
+"""Rules: the value and the partial derivatives of each kind of operation, in monomials.
 
 These are the elementary partial derivatives of automatic differentiation (Griewank and Walther
-2008), over boxes: `bound` takes them in reverse.
+2008), over boxes; `bound` accumulates them in reverse.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial
 EITHER = Interval(np.float64(-1.0), np.float64(1.0))
 SOME = Interval(np.float64(0.0), np.float64(1.0))
 
-# How the value of an operation moves with each operand; None where it does not.
+# Derivatives of an operation's value with respect to each operand; None for zero.
 Slopes = tuple[IntervalMonomial | None, ...]
 Moved = tuple[IntervalMonomial, Slopes]
-# Takes the angle that is reduced by whole turns, then the operands.
+# Called with the angle that is reduced by whole turns, then with the operands.
 Rule = Callable[..., Moved]
 
 
@@ -56,8 +56,8 @@ def _divide(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Move
 
 
 def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
-    # Odd powers of a variable that vanishes have no root among the monomials, nor have squares of a
-    # variable of either sign.
+    # Odd powers of a vanishing variable have no root among the monomials, and neither have squares
+    # of a variable of either sign.
     halves = a.variables.intern(tuple([p // 2 for p in a.powers]))
     if any(p % 2 for p in a.powers) or not a.variables.is_positive(halves):
         root = a.variables.constant(a.expanded().sqrt())
@@ -80,7 +80,10 @@ def _absolute(turn: Turn | None, a: IntervalMonomial) -> Moved:
 def _either(
     a: IntervalMonomial, b: IntervalMonomial, lead: Interval, choose: Callable[[Ends, Ends], Ends]
 ) -> Moved:
-    """Return the first where it leads, the second where it does not, both where undecided."""
+    """Return the first operand where `lead` is never negative, the second where never positive.
+
+    Elsewhere `choose` combines both.
+    """
     one = _one(a)
     leads, follows = lead.low >= 0, lead.high <= 0
     choice = a.variables.choose(leads, follows & ~leads, ~(leads | follows))
@@ -91,7 +94,7 @@ def _either(
 
 
 def enclose_rest(rounded: IntervalMonomial) -> IntervalMonomial:
-    """Return what rounding to nearest took from a result."""
+    """Enclose what rounding to nearest took from a result."""
     return rounded.scaled(around(0.0, UNIT * (1 + EPS)))
 
 
@@ -106,7 +109,7 @@ def _less_equal(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> 
 
 
 def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
-    """Return 1 where a comparison holds and 0 where it does not, whatever the roundings are."""
+    """Return 1 where a comparison surely holds, 0 where it surely fails, [0, 1] elsewhere."""
     truth = Interval(np.where(holds, 1.0, 0.0), np.where(fails, 0.0, 1.0))
     return one.variables.constant(truth), (None, None)
 
@@ -114,7 +117,7 @@ def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
 def _choose(
     turn: Turn | None, test: IntervalMonomial, a: IntervalMonomial, b: IntervalMonomial
 ) -> Moved:
-    """Return the chosen operand; where it is not known which one, what holds both."""
+    """Return the chosen operand; where the choice is unknown, an enclosure of both."""
     is_first, is_second = test.span.low == 1, test.span.high == 0
     chosen = a.variables.choose(is_first, is_second, ~(is_first | is_second))
     if chosen < 2:

@@ -1,8 +1,8 @@
-"""Running: steps in doubles as they are computed, in long doubles, and without rounding in balls.
+"""Running: steps in doubles as kernels compute them, in long doubles, and in balls for the truth.
 
 An fma is emulated on every machine by sums rounded to odd (Boldo and Melquiond 2008). Long doubles
-are thousands of times as fast as balls and sure of nothing: a search is led by them, and balls
-judge what it finds. There the points are on the last axis, what is summed over on those before.
+are thousands of times as fast as balls but certify nothing: they lead a search, and balls judge
+what it finds. In arrays the points are on the last axis, the axes that are summed over before it.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ Values = dict[str, Any]
 ENDLESS = MappingProxyType({"#inf": np.inf})
 LONG_DOUBLE = np.longdouble
 LONG_BITS = int(np.finfo(LONG_DOUBLE).nmant) + 1
-# Long doubles that are only doubles tell nothing of a rounding; those of x87 have 64 bits.
+# Long doubles that are only doubles reveal no rounding errors; those of x87 have 64 bits.
 IS_LONGER = LONG_BITS >= 64
-# Veltkamp's factor.
+# Veltkamp's factor, which splits a long double into two halves.
 FACTOR = LONG_DOUBLE(2) ** ((LONG_BITS + 1) // 2) + 1
 
 
@@ -44,9 +44,9 @@ def find_number(operand: Operand) -> Any:
 
 
 def fma(a: Any, b: Any, c: Any) -> Any:
-    """Return a*b + c rounded once, where no part leaves the normal range.
+    """Return a*b + c rounded once, provided that no part leaves the normal range.
 
-    By a sum that is rounded to odd (Boldo and Melquiond 2008).
+    Uses a sum rounded to odd (Boldo and Melquiond 2008).
     """
     product = a * b
     low, lowest = add_exactly(c, error_free.product_rest(a, b, product))
@@ -58,7 +58,7 @@ def fma(a: Any, b: Any, c: Any) -> Any:
 
 def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
     """Return the rounded sum and what rounding took from it."""
-    # Knuth's sum (1969), which does not ask which of both is larger.
+    # Knuth's sum (1969), which works whichever operand is larger.
     total = a + b
     part = total - a
     return total, (a - (total - part)) + (b - part)
@@ -73,7 +73,7 @@ def add_to_odd(a: Any, b: Any) -> Any:
     return np.where(moved, (bits + outward).view(np.float64), total)
 
 
-# Kinds that are functions of NumPy, which take any format.
+# Kinds that are ufuncs of NumPy, which take any format.
 UFUNCS: Mapping[str, Callable[..., Any]] = MappingProxyType(
     {
         kind: getattr(np, kind)
@@ -87,8 +87,8 @@ ON_ARRAYS = Arithmetic(
         **{kind: getattr(np, kind) for kind in COMPARISONS},
         "is_finite": np.isfinite,
         "choose": np.where,
-        # Computed as they are defined, these rests would be rounded to zero; the body of the second
-        # runs on numbers as well as on traces.
+        # Computed by their definitions, these rests would be rounded to zero; the body of the
+        # second runs on numbers as well as on traces.
         "sum_rest": error_free.sum_rest,
         "total_rest": partial(BODIES["total_rest"][0], None),
         "both": np.logical_and,
@@ -107,7 +107,7 @@ IN_DOUBLES = ON_ARRAYS.but(
     quotient_rest=error_free.quotient_rest,
     small_tangent=error_free.small_tangent,
 )
-# What SymPy's functions are for balls and series of balls; None stands for what is not decided.
+# SymPy's functions for balls and series of balls; None stands for an undecided comparison.
 _OF_BALLS: Mapping[Any, Callable[..., Any]] = MappingProxyType(
     {
         **FUNCTIONS,
@@ -124,7 +124,7 @@ IN_BALLS = Arithmetic(
         "number": arb,
         "is_finite": lambda a: a.is_finite(),
         "choose": lambda test, a, b: arb("nan") if test is None else a if test else b,
-        # Balls have these two as functions of their own, in which nothing cancels.
+        # Balls have their own functions for these two, in which nothing cancels.
         "expm1": arb.expm1,
         "log1p": arb.log1p,
         CONSTANT: lambda operand: to_ball(find_number(operand)),
@@ -135,7 +135,7 @@ IN_BALLS = Arithmetic(
 def run(
     straight: StraightLineProgram | Program, given: Mapping[str, Any], arithmetic: Arithmetic
 ) -> tuple[Any, ...]:
-    """Return the outputs at the values of the inputs, in an arithmetic."""
+    """Return the outputs at given values of the inputs, computed in an arithmetic."""
     values = run_steps(straight, given, arithmetic)
     return tuple(look_up(values, output, arithmetic) for output in straight.outputs)
 
@@ -143,7 +143,7 @@ def run(
 def run_steps(
     straight: StraightLineProgram | Program, given: Mapping[str, Any], arithmetic: Arithmetic
 ) -> Values:
-    """Return the values of inputs and of all steps, in an arithmetic."""
+    """Return the values of the inputs and of all steps, computed in an arithmetic."""
     values: Values = {**ENDLESS, **given}
     steps = straight.operations if isinstance(straight, Program) else straight.steps
     for step in steps:
@@ -155,7 +155,7 @@ def run_steps(
 
 
 def look_up(values: Values, operand: Operand, arithmetic: Arithmetic) -> Any:
-    """Return the value of an operand, which is an input's, a step's or a number."""
+    """Return the value of an operand: an input, a step's result or a number."""
     return values[operand] if isinstance(operand, str) else arithmetic.number(operand)
 
 
@@ -192,7 +192,7 @@ def _divide(digits: str) -> Any:
 DIGITS_OF = {n: str(sp.N(v, 40)) for n, v in CONSTANTS.items() if v != sp.oo}
 IN_EXTENDED = ON_ARRAYS.but(
     number=LONG_DOUBLE,
-    # From its digits: an integer of Python might become a double on the way.
+    # From the digits: a Python integer might become a double on the way.
     constant=lambda operand: _divide(DIGITS_OF.get(operand, str(operand))),
     product_rest=_product_rest,
     quotient_rest=_quotient_rest,

@@ -1,7 +1,7 @@
-"""Cases: in, the program of an elementary function and what it decides; out, its plain steps.
+"""Cases: in, an elementary function's program and its decisions; out, its steps without decisions.
 
-A whole number of quarter turns is known but for whole turns, which change no decision. What is left
-of the angle is an input of its own, `REST`, and so is the size of an argument. That is partial
+The number of quarter turns is known up to whole turns, which change no decision. The reduced angle
+becomes an input of its own, `REST`, and so does the absolute value of an argument. This is partial
 evaluation (Jones, Gomard and Sestoft 1993) by facts about an angle.
 """
 
@@ -17,21 +17,21 @@ from typing import TypeGuard
 from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.steps import Step, StraightLineProgram, keep_needed, make_step
 
-# Names the input that is an angle less its quarter turns.
+# The name of the input for an angle less its quarter turns.
 REST = "rest"
-# Numbers of quarter turns are multiples of 1/PARTS, at most MOST_ADDED in size: as doubles they are
-# added and multiplied without rounding.
+# Numbers of quarter turns are multiples of 1/PARTS, at most MOST_ADDED in size, so that doubles add
+# and multiply them without rounding.
 PARTS, MOST_ADDED = 8, 8
 
 
 def name_size(name: str) -> str:
-    """Name the absolute value of an argument, which is an input, too."""
+    """Return the name of the input for the absolute value of an argument."""
     return f"|{name}|"
 
 
 @dataclass(frozen=True)
 class Whole:
-    """A number that is `each` for every whole turn, however many there are, plus a count."""
+    """A number equal to `each` times an unknown number of whole turns, plus `count`."""
 
     each: Fraction
     count: Fraction
@@ -42,7 +42,7 @@ class Whole:
             raise ValueError(f"{self.each} for each turn and {self.count} may be rounded")
 
     def times(self, factor: float) -> Whole:
-        """Return a multiple, whole or not."""
+        """Return the number times a factor, which need not be whole."""
         return Whole(self.each * Fraction(factor), self.count * Fraction(factor))
 
     def plus(self, more: float) -> Whole:
@@ -50,7 +50,10 @@ class Whole:
         return replace(self, count=self.count + Fraction(more))
 
     def rounded(self, to: Callable[[Fraction], int]) -> Whole:
-        """Round to a whole number; an even `each` rounds ties alike, whatever the turns."""
+        """Round to a whole number; ValueError if the result may depend on the number of turns.
+
+        Ties to even need an even `each`.
+        """
         if self.each.denominator != 1 or (to is round and self.each % 2):
             raise ValueError(f"{self.each} for each turn decides what rounding does")
         return replace(self, count=Fraction(to(self.count)))
@@ -58,9 +61,10 @@ class Whole:
 
 @dataclass(frozen=True)
 class Case:
-    """What a program decides on: the number of quarter turns, whether one size is the larger.
+    """The facts a program decides by: the number of quarter turns, which size is the larger.
 
-    Also whether the second argument is negative. No larger size is zero.
+    `is_larger` means that the first size is, `is_behind` that the second argument is negative. The
+    larger size is never zero.
     """
 
     number: Whole | None = None
@@ -70,7 +74,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Resolved:
-    """Steps without decisions; how quarter turns are counted, and the words they take off."""
+    """Steps without decisions; the factor that counts quarter turns, and the words subtracted."""
 
     straight: StraightLineProgram
     per: float
@@ -78,7 +82,7 @@ class Resolved:
 
 
 def resolve(program: Program, case: Case) -> Resolved:
-    """Return the steps of a program in a case; ValueError for what no rule decides."""
+    """Return the steps of a program in a case; ValueError for a decision that no rule covers."""
     return _Resolver(program, case).resolve(program)
 
 
@@ -90,8 +94,8 @@ class _Signed:
     sign: Operand
 
 
-# What is known of a result: a count of turns, a decision, the words that were taken off an angle, a
-# number with an argument's sign, or the operand that stands for it.
+# What is known of a result: a count of turns, a decision, the words subtracted from an angle, a
+# number with an argument's sign, or the operand that holds its value.
 _Known = Whole | bool | tuple[float, ...] | _Signed | Operand
 
 
@@ -125,7 +129,7 @@ class _Resolver:
         return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
 
     def _take(self, value: _Known) -> Operand:
-        """Return the operand that the steps use for a value."""
+        """Return the operand for a value in the steps; ValueError for a count or a decision."""
         if isinstance(value, tuple):
             self._words.add(value)
             return REST
@@ -136,7 +140,7 @@ class _Resolver:
     def _decide(self, kind: str, first: _Known, second: _Known) -> bool | None:
         if isinstance(first, Whole) and isinstance(second, Whole):
             return first == second
-        # No larger size is zero (`Case`).
+        # The larger size is never zero (`Case`).
         larger = list(self._sizes.values())[0 if self._case.is_larger else -1]
         is_zero = _is_number(second) and second == 0
         return False if self._take(first) == larger and is_zero else None
@@ -148,7 +152,7 @@ class _Resolver:
         return self._case.is_behind
 
     def _compare(self, kind: str, *given: _Known) -> bool:
-        # Both are inputs, so that no rounding can change how they compare.
+        # Both are inputs, so no rounding can change how they compare.
         if [*map(self._take, given)] != list(self._sizes.values()):
             raise ValueError(f"{given}: only the sizes of both arguments are compared")
         return self._case.is_larger
@@ -189,7 +193,7 @@ class _Resolver:
         return self._sizes[str(value)]
 
     def _take_sign(self, kind: str, size: _Known, sign: _Known) -> _Known:
-        # Nothing else depends on the sign of an argument, so that only the size is carried on.
+        # Nothing else depends on the sign of an argument, so only the size is passed on.
         if sign not in self._inputs:
             raise ValueError(f"{sign}: only signs of arguments are put on results")
         value = self._take(size)

@@ -1,6 +1,6 @@
-"""Steps: in, a stage of a kernel; out, its operations in one row, each with its own rounding.
+"""Steps: in, a stage of a kernel; out, its operations in one list, each with its own rounding.
 
-Some operations are written out as programs of others before.
+Some operations are first expanded into programs of others.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from mechproof.programs.trace import TRACED, trace
 
 HALF = 0.5
 EXACT = 0.0
-# What rounding took from a product and from a quotient: exact, or a rounding away from it.
+# What rounding took from a product and from a quotient: exact, or up to one rounding.
 RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
-# A number that is no double, which is rounded where it is written; its operand is the number, a
-# fraction in digits.
+# A number that is no double and is rounded once; its operand is the exact number as text, a
+# fraction or the name of a constant.
 CONSTANT = "constant"
 CHOICE = "choose"
-# Functions of our own are written out, or have a proved bound, before their steps are bounded.
+# Functions of our own are expanded, or have a proved bound, before their steps are bounded.
 ULPS: Mapping[Rounding, float] = {
     Rounding.EXACT: EXACT,
     Rounding.NEAREST: HALF,
@@ -37,7 +37,7 @@ ULPS: Mapping[Rounding, float] = {
 
 @dataclass(frozen=True)
 class Assumed:
-    """By how many ulps of its result a function is off at most, and how that is said."""
+    """The largest error assumed of a function, in ulps of its result, and a text that states it."""
 
     ulps: float
     text: str
@@ -50,7 +50,7 @@ FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
         if row.rounding is Rounding.LIBRARY and hasattr(np, name)
     }
 )
-# Assumed of every program: the relative error of an operation is bounded in the normal range only.
+# Assumed of every program: an operation's relative error is bounded only in the normal range.
 NORMAL = "no result overflows or falls below the normal range"
 # Assumed of maps of points: it limits how many roundings a product goes through.
 SUMS = "np.matmul by products and their sums in any order"
@@ -62,8 +62,8 @@ TERMS = "np.sum by additions in any order"
 class Expansion:
     """A program in place of one operation; `errors` are those of approximations, in eps.
 
-    `proved` are the functions of which the error is proved; what is `scaled` is so by a factor
-    that depends on the first operand alone.
+    `proved` maps results to the functions whose proved error they have; results in `scaled` have an
+    unknown factor that depends on the first operand alone.
     """
 
     program: Program
@@ -73,13 +73,13 @@ class Expansion:
 
 
 def _write_out(kind: str, *inputs: str) -> Expansion:
-    """Return the expansion of a kind into the operations that it is made of."""
+    """Return the expansion of a kind into the operations of its meaning."""
     meaning = KINDS[kind].meaning
     assert meaning is not None
     return Expansion(trace(partial(meaning, TRACED), inputs))
 
 
-# Kinds that NumPy computes by its own tan and arctan; a test compares every bit.
+# Kinds that NumPy kernels compute by NumPy's tan and arctan; a test compares every bit.
 WAY = "NumPy's functions"
 IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
     {
@@ -91,10 +91,10 @@ IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
 
 @dataclass(frozen=True)
 class Step:
-    """An operation whose result is off by at most so many ulps of itself.
+    """An operation whose result is off by at most `ulps` ulps of itself.
 
-    If it is `proved` of a function, it is off by what is proved instead. All results with one angle
-    in `scaled` share one factor that is not known.
+    If `proved` names a function, the proved error of that function holds instead. All results with
+    the same angle in `scaled` share one unknown factor.
     """
 
     result: str
@@ -107,11 +107,11 @@ class Step:
 
 @dataclass(frozen=True)
 class StraightLineProgram:
-    """All steps of a stage; inputs are the arguments, outputs results or inputs.
+    """All steps of a stage; inputs are the arguments, outputs are results, inputs or numbers.
 
-    The rounding of a `held` result moves no output, because a low word takes it up. The factors of
-    `scaled` results cancel in every output. Both are in the order of the steps, so that equal steps
-    are printed alike.
+    The rounding of a `held` result moves no output, because a low word compensates it. The factors
+    of `scaled` results cancel in every output. Both are in the order of the steps, so that equal
+    steps are printed alike.
     """
 
     inputs: tuple[str, ...]
@@ -121,7 +121,7 @@ class StraightLineProgram:
     scaled: tuple[str, ...] = ()
 
     def rename(self, names: Mapping[Operand, Operand]) -> StraightLineProgram:
-        """Return the steps with other names for results and for operands."""
+        """Return the steps with results and operands renamed."""
 
         def find(*operands: Operand) -> tuple[Operand, ...]:
             return tuple(names.get(operand, operand) for operand in operands)
@@ -134,7 +134,7 @@ class StraightLineProgram:
 
 
 def name_constant(number: Fraction) -> str:
-    """Return a fraction as the operand of a constant."""
+    """Return the operand of a constant step for a fraction."""
     return f"{number.numerator}/{number.denominator}"
 
 
@@ -150,15 +150,15 @@ def keep_needed(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> StraightLineProgram:
-    """Put what is prepared before what is evaluated, and kinds with an expansion into it.
+    """Return the steps of a stage: those that prepare, then those that evaluate, all expanded.
 
-    Numbers that are no doubles are rounded first, each once.
+    Numbers that are no doubles are rounded first, once each.
     """
     return round_constants(_flatten(stage, expansions))
 
 
 def round_constants(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps with a step for each number that is no double."""
+    """Return the steps preceded by one rounding step for each number that is no double."""
     operands = (*(o for step in straight.steps for o in step.operands), *straight.outputs)
     names: dict[Operand, str] = {o: f"rounded {o}" for o in operands if not is_double(o)}
     rounded = [Step(name, CONSTANT, (o,), HALF) for o, name in names.items()]
@@ -167,7 +167,7 @@ def round_constants(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def is_double(operand: Operand) -> bool:
-    """Say whether an operand is a double as it stands, or a result."""
+    """Return whether an operand needs no rounding: a double, a result or an input."""
     if isinstance(operand, str):
         return operand not in CONSTANTS or not CONSTANTS[operand].is_finite
     return float(operand) == operand
@@ -224,23 +224,23 @@ def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterat
 
 
 def make_step(operation: Operation) -> Step:
-    """Return an operation with the bound of its rounding error."""
+    """Return an operation as a step with the bound on its rounding error."""
     kind, operands = operation.kind, operation.operands
     if _scales_by_power(kind, operands):
         return Step(operation.result, kind, operands, EXACT)
-    # A loop over terms is no kind, but a function of its kernel.
+    # A loop over terms has no kind of its own: it is a function of its kernel.
     rounding = KINDS[kind].rounding if kind in KINDS else Rounding.LIBRARY
     ulps = FUNCTIONS[kind].ulps if kind in FUNCTIONS else ULPS[rounding]
     return Step(operation.result, kind, operands, ulps)
 
 
 def _scales_by_power(kind: str, operands: Sequence[Operand]) -> bool:
-    """Say whether the operation multiplies or divides by a power of two."""
+    """Return whether the operation multiplies or divides by a power of two."""
     return any(_is_power(f) for f in list_factors(kind, operands) if not isinstance(f, str))
 
 
 def list_factors(kind: str, operands: Sequence[Any]) -> Sequence[Any]:
-    """Return the operands by which all that is computed is multiplied or divided."""
+    """Return the operands that are factors or divisors of the result; none for other kinds."""
     return {"multiply": operands, "square": operands, "divide": operands[1:]}.get(kind, ())
 
 

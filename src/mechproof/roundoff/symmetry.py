@@ -1,4 +1,4 @@
-"""Symmetry: whether steps with arguments negated round as they did, but for signs."""
+"""Symmetry: checks that steps with some arguments negated round alike up to signs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
 @dataclass(frozen=True)
 class Parity:
-    """What becomes of a value: 1 for what stays, -1 for what is negated."""
+    """The effect of negated arguments on a value: 1 if it stays the same, -1 if it is negated."""
 
     sign: int
 
@@ -42,7 +42,7 @@ EVEN, ODD = Parity(1), Parity(-1)
 
 @cache
 def _find_parity(function: Callable[..., sp.Basic], *parities: Parity) -> Parity:
-    """Return the parity of a function, as SymPy knows it; ValueError where there is none."""
+    """Return the parity of a function of given parities, by SymPy; ValueError if it has none."""
     dummies = [sp.Dummy(real=True) for _ in parities]
     value = function(*dummies)
     turned = function(*(p.sign * d for p, d in zip(parities, dummies, strict=True)))
@@ -78,7 +78,7 @@ PARITIES = Arithmetic(
 
 
 def check_signs(straight: StraightLineProgram, form: Form, names: Mapping[sp.Basic, str]) -> None:
-    """Require that arguments negated in a form's domain turn only signs; ValueError if not.
+    """Raise ValueError unless negating arguments, as a form allows, changes only signs of results.
 
     Then errors at negative angles are as large as at positive ones.
     """
@@ -87,7 +87,7 @@ def check_signs(straight: StraightLineProgram, form: Form, names: Mapping[sp.Bas
 
 
 def list_negated(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Mapping[str, Parity]]:
-    """List what becomes of arguments by each mirror, and by each angle that is negated."""
+    """Yield the parities of arguments under each mirror of a form and each negated angle."""
     for mirror in form.mirrors:
         yield {n: ODD if s in mirror else EVEN for s, n in names.items()}
     for chart in form.charts:
@@ -98,7 +98,7 @@ def list_negated(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Mapping[
 def _list_parities(
     chart: Chart, angle: sp.Symbol, names: Mapping[sp.Basic, str]
 ) -> Iterator[tuple[str, Parity]]:
-    """List what an angle negated does to arguments; ValueError if that is neither."""
+    """Yield arguments with their parities in an angle; ValueError for one neither odd nor even."""
     for symbol, value in chart.arguments.items():
         turned = value.subs(angle, -angle)
         if turned not in (value, -value):
@@ -109,7 +109,7 @@ def _list_parities(
 def find_parities(
     straight: StraightLineProgram | Program, given: Mapping[str, Parity]
 ) -> Mapping[str, Parity]:
-    """Return the parities of all results by those of the inputs; ValueError where there is none."""
+    """Return the parities of all results from those of the inputs; ValueError if one has none."""
     try:
         return run_steps(straight, {**dict.fromkeys(CONSTANTS, EVEN), **given}, PARITIES)
     except KeyError as error:

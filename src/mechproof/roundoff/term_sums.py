@@ -1,9 +1,9 @@
 """Term sums: in, a kernel that adds up the terms of a set; out, the same with a number for the sum.
 
-Of terms that are never negative, each off by its own share, the sum is off by at most the largest
-share, and by (n - 1)*u/(1 - (n - 1)*u) more, in whatever order n of them are added (Higham 2002,
-section 4.2); where the rests of all additions are added, too, by u and the square of that (Ogita,
-Rump and Oishi 2005). So one number that is off by as much stands for the whole set.
+If terms are never negative, each with its own relative error, their sum is off by at most the
+largest of these errors and (n - 1)*u/(1 - (n - 1)*u) more, in whatever order n of them are added
+(Higham 2002, section 4.2); if the rests of all additions are added too, by u and the square of that
+instead (Ogita, Rump and Oishi 2005). So one number with such an error can replace the whole set.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ from mechproof.roundoff.steps import HALF, Expansion, flatten_stage
 # The most terms of a set, as an exponent of two.
 MOST = 20
 PLACE = f"n <= 2**{MOST}"
-# All products of roundings come to less, in eps and as a share: s = (n - 1)*u is at most
-# 2**(MOST - 53), its square 2**(2*MOST - 54)*eps, and as a share s is what it moves the scale by.
+# Bounds all products of roundings, both in eps and as a share: s = (n - 1)*u is at most
+# 2**(MOST - 53), its square 2**(2*MOST - 54)*eps, and the scale moves by a share of s.
 MARGIN = 2.0 ** (2 * MOST - 50)
-# Size of the sets that are searched for the worst input; NumPy adds up so few in order.
+# Size of the sets searched for the worst input; NumPy adds up so few terms in order.
 SEARCHED = 5
 # Number of octaves that elements are drawn from.
 OCTAVES = 4.0
@@ -43,10 +43,10 @@ OCTAVES = 4.0
 
 @dataclass(frozen=True)
 class TermSum:
-    """The loop that adds up, and those that ask whether a set is in the domain.
+    """The loop that adds up, and the loops that test whether a set is in the domain.
 
-    The value is proportional to the power `degree` of the sum. `keeps_rests` says whether what
-    additions round off is added at last.
+    The value is proportional to the sum to the power `degree`. `keeps_rests` states whether the
+    rests that additions round off are added at the end.
     """
 
     loop: TermLoop
@@ -56,19 +56,19 @@ class TermSum:
 
     @property
     def each(self) -> float:
-        """Return what each term after the first adds to the bound, in eps."""
+        """Return how much each term after the first adds to the bound, in eps."""
         return 0.0 if self.keeps_rests else self.degree * HALF
 
     def widen(self, found: Array) -> Array:
-        """Return bounds with the products of roundings added."""
+        """Return the bounds enlarged to cover products of roundings."""
         return found * (1 + MARGIN) + MARGIN
 
     def put_exact(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Values:
-        """Return the values of elements with their arrays, and with the exact sum."""
+        """Return the given values with the arrays of elements and the sum, added without rests."""
         return self._put(given, arithmetic, drop_rest)
 
     def put_rounded(self, given: Mapping[str, Any]) -> Values:
-        """Return the values with the sum as it is computed in doubles."""
+        """Return the given values with the arrays of elements and the sum as kernels compute it."""
         return self._put(given, IN_DOUBLES, IN_DOUBLES[ADDED] if self.keeps_rests else drop_rest)
 
     def _put(
@@ -84,13 +84,13 @@ class TermSum:
 
     @property
     def asking(self) -> Arithmetic:
-        """Return the arithmetic that decides in doubles whether a set is in the domain."""
+        """Return the arithmetic in doubles that can run the tests of a set's domain."""
         return IN_DOUBLES.but(
             **{test.name: partial(run_loop, test, IN_DOUBLES, drop_rest) for test in self.tests}
         )
 
     def draw(self, points: Mapping[str, Array], rng: np.random.Generator) -> Mapping[str, Array]:
-        """Put elements in the place of the sum."""
+        """Return the points with randomly drawn elements in place of the sum."""
         count = len(points[self.loop.name])
         names = (_name_element(name, i) for name in self.loop.arrays for i in range(SEARCHED))
         drawn = {name: 2 ** rng.uniform(0, OCTAVES, count) for name in names}
@@ -102,12 +102,12 @@ def _name_element(name: str, number: int) -> str:
 
 
 def drop_rest(one: Any, other: Any, total: Any) -> Any:
-    """Ignore what an addition rounds off."""
+    """Return 0 for what an addition rounds off."""
     return 0
 
 
 def run_loop(loop: TermLoop, arithmetic: Arithmetic, rest: Callable[..., Any], *arrays: Any) -> Any:
-    """Return the sum over the terms, or whether all are true, as the printed loop does."""
+    """Run a loop as it is printed: return the sum of its terms, or whether all of them hold."""
     known = dict(zip(loop.parameters, arrays, strict=True))
     terms, zero = len(known[loop.arrays[0]]), arithmetic.number(0)
     high, low, holds = zero, zero, True
@@ -128,10 +128,11 @@ def run_loop(loop: TermLoop, arithmetic: Arithmetic, rest: Callable[..., Any], *
 def take_sum(
     kernel: Kernel, expansions: Mapping[str, Expansion], *, keeps_rests: bool
 ) -> tuple[TermSum, Kernel, Mapping[str, Expansion]]:
-    """Return the sum in a kernel, the kernel of a number in its place, and how far that is off.
+    """Return the sum in a kernel, the kernel of a number in its place, and the expansions.
 
-    Raises ValueError for any other sums than one of terms that are never negative, and for a value
-    that is no power of it and a factor.
+    The expansions include `approximate`, with the error of that number. Raises ValueError unless
+    there is one sum, of terms that are never negative, and the value is a factor times a power of
+    it.
     """
     (folded,), loops = fold_sums([kernel])
     sums = [loop for loop in loops if loop.kind == "sum"]
@@ -152,7 +153,7 @@ def take_sum(
 
 
 def _bound_term(loop: TermLoop, expansions: Mapping[str, Expansion]) -> float:
-    """Bound by how many eps of itself a term is off, whatever its elements."""
+    """Bound the error of a term in eps of itself, whatever its elements."""
     names = loop.term.inputs
     straight = flatten_stage(Stage(None, names, (), NOTHING, loop.term), expansions)
     anything = Interval(np.float64(-np.inf), np.float64(np.inf))
@@ -170,7 +171,7 @@ def _bound_term(loop: TermLoop, expansions: Mapping[str, Expansion]) -> float:
 
 
 def _take_number(stage: Stage, loop: TermLoop) -> Stage:
-    """Return a stage that takes a number for the sum."""
+    """Return the stage with an approximate number as input in place of the sum."""
     assert stage.evaluate is not None
     operations = tuple(
         replace(step, kind="approximate", operands=(loop.name,)) if step.kind == loop.name else step
@@ -182,7 +183,7 @@ def _take_number(stage: Stage, loop: TermLoop) -> Stage:
 
 
 def _put_number(quantity: Quantity, form: Form, name: str) -> tuple[Quantity, Form, float]:
-    """Return a quantity and a form of a number in place of the sum, and the power they are of."""
+    """Return quantity and form with a number in place of the sum, and the power of it they have."""
     accuracy = quantity.accuracy
     scale = accuracy.scale if accuracy else None
     size = scale.written_out() if scale else quantity.definition
@@ -210,7 +211,7 @@ def _put_number(quantity: Quantity, form: Form, name: str) -> tuple[Quantity, Fo
 
 
 def _add_number(chart: Chart, number: sp.Symbol) -> Chart:
-    """Return a chart with the sum, whose root is a coordinate."""
+    """Return a chart with the sum as an argument and its root as a coordinate."""
     root = sp.Symbol(f"root of {number}", positive=True)
     return replace(
         chart,

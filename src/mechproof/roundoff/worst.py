@@ -1,6 +1,6 @@
-"""Worst: from boxes of regions to the input that is off most, judged by balls.
+"""Worst: in, boxes of regions; out, the input with the largest error found, as judged by balls.
 
-Long doubles lead the search, a thousand times as fast. Nothing counts that no chart has.
+Long doubles, a thousand times as fast, lead the search. Only inputs within a chart count.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, IN_EXTENDED, IS_LON
 Points = Mapping[str, Array]
 BITS = 200
 DRAWN = 1000
-# A population soon crowds into one place: many rounds with few points, then a fresh climb.
+# A population soon crowds into one place, so few points take many rounds, and then climb afresh.
 BY_LONG_DOUBLES, ROUNDS, CLIMBS = Schedule(1000, 6), 300, 2
 # Number of octaves that coordinates without an end are drawn from.
 OCTAVES = 16.0
@@ -43,9 +43,9 @@ class WorstRounding:
 def find_worst(
     subject: ComputedStage, boxes: Sequence[tuple[ChartRegion, Box]], seed: int
 ) -> WorstRounding:
-    """Draw points of the boxes of regions and climb from the worst, some times anew."""
+    """Draw points from boxes of regions and climb from the worst, repeatedly if that is cheap."""
     rng = np.random.default_rng(seed)
-    # Balls alone take a thousand times as long: one climb has to do.
+    # Balls alone take a thousand times as long, so one climb must do.
     climbs = [_climb(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
     return max(climbs, key=lambda found: found.eps)
 
@@ -67,14 +67,14 @@ def _climb(
 
 
 def judge(subject: ComputedStage, points: Points) -> Array:
-    """Measure where the bound is for certain; -1 elsewhere."""
+    """Return the errors at points where the bound certainly applies, in eps; -1 elsewhere."""
     with working_precision(BITS):
         held = [subject.inside.holds(given, IN_BALLS) for given in _list_balls(subject, points)]
     return np.where(held, measure(subject, points), -1.0)
 
 
 def measure(subject: ComputedStage, points: Points) -> Array:
-    """Return the errors of the steps in doubles in eps of the scale, -1 outside the domain."""
+    """Return the errors of the outputs in doubles, in eps of the scale; -1 outside the domain."""
     outputs, held = _compute(subject, points)
     errors = np.full(len(held), -1.0)
     with working_precision(BITS):
@@ -91,7 +91,7 @@ def _list_balls(subject: ComputedStage, points: Points) -> Iterator[Mapping[str,
 
 
 def estimate(subject: ComputedStage, points: Points) -> Array:
-    """Estimate the errors in long doubles, but decide in doubles where the stage is taken."""
+    """Estimate the errors in long doubles; -1 where doubles say that the stage is not taken."""
     outputs, held = _compute(subject, points)
     extended = {name: LONG_DOUBLE(column) for name, column in points.items()}
     with np.errstate(all="ignore"):
@@ -102,21 +102,21 @@ def estimate(subject: ComputedStage, points: Points) -> Array:
 
 
 def _compute(subject: ComputedStage, points: Points) -> tuple[Array, Any]:
-    """Return the outputs in doubles, and where they are finite and the stage is taken."""
+    """Return the outputs in doubles, and a mask of where they are finite and the stage is taken."""
     with np.errstate(all="ignore"):
         outputs = subject.compute(points)
         return outputs, np.isfinite(outputs).all(axis=0) & subject.holds(points)
 
 
 def _find_largest(errors: Sequence[Any]) -> Any:
-    """Return the largest error; NaN and infinity count as none."""
+    """Return the largest error at each point; NaN and infinity count as zero."""
     return np.nan_to_num(np.array(errors, float), posinf=0.0).max(axis=0)
 
 
 def draw(
     subject: ComputedStage, region: ChartRegion, box: Box, count: int, rng: np.random.Generator
 ) -> Points:
-    """Draw arguments from a box of a region."""
+    """Draw `count` arguments, by input name, with coordinates in a box of a region."""
     sides = [_draw_side(side, count, rng) for side in box]
     coordinates = dict(zip(region.names, sides, strict=False))
     if region.is_turned:

@@ -1,8 +1,7 @@
-"""Written scales: in, what errors are relative to; out, its steps, and those of its terms.
+"""Written scales: in, the scale that errors are relative to; out, its steps and those of its terms.
 
-Steps that compute one number are one step: doubles are rounded alike whatever the order of the
-terms of a sum or of the factors of a product, and whatever the sign. It is the value numbering of
-compilers (Cocke and Schwartz 1970).
+Steps that compute the same number are merged: a sum or a product is rounded alike whatever the
+order of its operands. This is the value numbering of compilers (Cocke and Schwartz 1970).
 """
 
 from __future__ import annotations
@@ -25,18 +24,18 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.steps import EXACT, IN_NUMPY, Step, StraightLineProgram, flatten_stage
 
 PLAIN_REWRITES = ("positive_atan2", "half_angle_tangent")
-# With fewer terms than this, one of them is nearly the whole scale.
+# With fewer terms than this, one of them is nearly the whole scale, so terms do not help.
 LEAST_TERMS = 3
 
 
 @dataclass(frozen=True)
 class WrittenScale:
-    """The steps of a scale and, if it has all its terms, of its excess over the value.
+    """The steps of a scale and, if the value is a part of it, of its excess over the value.
 
-    The steps after these are, up to sign, the `terms` of a sum, without the value if that is one of
-    them, and then what the scale is at least: the candidates of a maximum. Those `known` are never
-    negative. The scale `is_at_least` the value where both are written so, though the value is no
-    term.
+    A second program has, up to sign, `terms` terms of the sum, without the value if that is one of
+    them, and then lower bounds of the scale: the candidates of maxima. `known` marks those known to
+    be never negative. `is_at_least` states that the scale, though the value is no term of it, is
+    visibly at least the value.
     """
 
     straights: tuple[StraightLineProgram, ...]
@@ -47,28 +46,31 @@ class WrittenScale:
     def weigh(
         self, outputs: Sequence[IntervalMonomial], parts: Sequence[IntervalMonomial] = ()
     ) -> ErrorScale:
-        """Return the scale over boxes, with its terms where none is negative."""
+        """Return the scale over boxes, with its terms if none of them is negative."""
         whole, *rest = outputs
         pairs = zip(self.known, parts, strict=True)
         signs = [known or part.decide_sign() > 0 for known, part in pairs]
         terms = parts[: self.terms] if all(signs[: self.terms]) else ()
         least = [part for part, holds in zip(parts, signs, strict=True) if holds][len(terms) :]
         if not rest or (not terms and rest[0].decide_sign() <= 0):
-            # The terms that are listed add up to the scale without the value.
+            # The listed terms add up to the scale without the value.
             return ErrorScale(whole, self.is_at_least and not terms, terms, least)
-        # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
+        # The absolute value of a pole is no monomial: there the excess replaces the scale.
         is_known = whole.span.is_finite
         scale = rest[0] if whole.variables.choose(is_known, ~is_known) else whole
         return ErrorScale(scale, True, terms, least)
 
 
 def write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> WrittenScale | None:
-    """Write the scale as the form is written, but for its low words, and without roundings."""
+    """Write the scale, without roundings, by the form's rewrites other than low words.
+
+    None if errors are relative to the value.
+    """
     if quantity.accuracy is None or quantity.accuracy.scale is None:
         return None
     rewrites = tuple(name for name in form.rewrites if name in PLAIN_REWRITES)
     scale = quantity.accuracy.scale
-    # The value is written as it is in the scale.
+    # The value is written in the same way as in the scale.
     size, value = (
         _join_waves(replace(scale, expression=part).written_out())
         for part in (scale.expression, quantity.definition)
@@ -96,7 +98,7 @@ def write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> W
 
 
 def _is_seen(size: sp.Expr, quantity: Quantity, form: Form, paper: Paper) -> bool:
-    """Say whether a scale is seen to be at least the value of a form."""
+    """Return whether a scale is visibly at least the value of a form."""
     if form.expression.is_Matrix:
         return False
     inputs = input_names(quantity).keys()
@@ -106,7 +108,7 @@ def _is_seen(size: sp.Expr, quantity: Quantity, form: Form, paper: Paper) -> boo
 
 
 def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
-    """List expressions that are no larger than a scale in absolute value."""
+    """Yield expressions that are no larger in absolute value than a scale, itself first."""
     yield size
     parts = size.args
     if isinstance(size, sp.Add) and all(part.is_extended_nonnegative for part in parts):
@@ -124,14 +126,14 @@ def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
 
 
 def _write_out(expression: sp.Expr, given: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
-    """Return an expression without the symbols that have values."""
+    """Return an expression with values substituted for symbols until none is left."""
     while expression.free_symbols & given.keys():
         expression = expression.xreplace(given)
     return expression
 
 
 def _is_multiple(part: sp.Expr, value: sp.Expr) -> bool:
-    """Say whether a part is visibly at least one times a value, in absolute values."""
+    """Return whether a part is visibly a multiple of a value, of at least its absolute value."""
     one, other = map(_drop_signs, (part, value))
     if one.has(sp.Abs, sp.Max) or other == 0:
         return False
@@ -143,7 +145,7 @@ def _is_multiple(part: sp.Expr, value: sp.Expr) -> bool:
 
 
 def _join_waves(size: sp.Basic) -> sp.Basic:
-    """Write differences of sines and of cosines as products, which vanish as their angles do."""
+    """Write differences of sines or cosines as products, which vanish as their angles do."""
     return size.replace(
         lambda part: part.is_Add and all(term.has(sp.sin, sp.cos) for term in part.args), TR9
     )
@@ -154,7 +156,7 @@ def _list_terms(size: sp.Basic) -> set[sp.Basic]:
 
 
 def _drop_signs(term: sp.Expr) -> sp.Expr:
-    """Return a term without absolute values, as only sizes are compared with it."""
+    """Return a term without absolute values: only its size is used."""
     factors = sp.Mul.make_args(term)
     return sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else f for f in factors))
 
@@ -174,7 +176,7 @@ def _write_exact(
 
 
 def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
-    """Put steps one after the other under names of their own."""
+    """Return one program of several, with a prefix on the results of each."""
     steps: list[Step] = []
     outputs: list[Operand] = []
     inputs = tuple(dict.fromkeys(name for straight in straights for name in straight.inputs))
@@ -190,7 +192,7 @@ Key = tuple[str, tuple[str, ...]]
 
 
 def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
-    """Return the steps, each number computed once."""
+    """Return the steps with equal ones merged, so that each number is computed once."""
     names: dict[Operand, Operand] = {}
     known: dict[Key, str] = {}
     steps: list[Step] = []
@@ -207,6 +209,6 @@ def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
-    # Numbers by their bits: 0.0 and -0.0 are equal, but not the same operand.
+    # Numbers are written by their bits: 0.0 and -0.0 are equal, but not the same operand.
     texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
     return step.kind, tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts
