@@ -1,7 +1,7 @@
-"""Names in C: in, a name of a paper; out, the same, or with an underscore if it is taken.
+"""Names in C: in, a name of a paper; out, the same, or with an underscore appended if it is taken.
 
-Taken are words of C and of C++, where headers are included too, what <math.h> and headers that it
-may come with define, and what the kernels themselves are made of.
+Taken are keywords of C and of C++, where the headers may be included too, names that <math.h> and
+headers included along with it define, and names that the kernels' own sources use.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from mechproof.programs.operations import HELPER, KINDS
 
 # Functions of <math.h>, for doubles and for floats.
 _FUNCTIONS = [row.c for row in KINDS.values() if isinstance(row.c, str) and row.c.isidentifier()]
-# Names of parameters in headers, beside the names of the paper.
+# Names of parameters in headers, next to the names of the paper.
 DECLARED = ("count", "terms", "out")
-# Arrays of the results of several kernels begin with this.
+# Prefix of the arrays for the results of several kernels.
 STORED = "out_"
 WORDS = frozenset({
     *DECLARED,
@@ -25,7 +25,7 @@ WORDS = frozenset({
     "signed", "sizeof", "static", "static_assert", "struct", "switch", "thread_local", "true",
     "typedef", "typeof", "typeof_unqual", "union", "unsigned", "void", "volatile", "while",
     "asm", "fortran",
-    # C++ besides.
+    # C++ in addition.
     "and", "and_eq", "bitand", "bitor", "catch", "char16_t", "char32_t", "char8_t", "class",
     "co_await", "co_return", "co_yield", "compl", "concept", "const_cast", "consteval",
     "constinit", "decltype", "delete", "dynamic_cast", "explicit", "export", "friend", "mutable",
@@ -35,7 +35,7 @@ WORDS = frozenset({
     # Types, functions and macros that sources use.
     "size_t", "uint32_t", "uint64_t", "isnan", "NAN", *_FUNCTIONS, *(f"{n}f" for n in _FUNCTIONS),
     "sin", "cos", "tan", "sinf", "cosf", "tanf", "fma", "fmaf",
-    # Macros of the headers that may stand before, of systems and of processors.
+    # Macros of headers that may be included earlier, of systems and of processors.
     "DOMAIN", "EDOM", "EOF", "ERANGE", "I", "INFINITY", "NDEBUG", "NULL", "OVERFLOW", "PLOSS",
     "SING", "TLOSS", "UNDERFLOW", "complex", "errno", "far", "huge", "i386", "imaginary",
     "interface", "linux", "math_errhandling", "near", "noreturn", "offsetof", "small", "unix",
@@ -44,9 +44,9 @@ MACROS = re.compile(r"(M|FP|MATH|HUGE)_[A-Z0-9_]+|[A-Z][A-Z0-9_]*_(MAX|MIN|WIDTH
 
 
 def spell_in_c(name: str, file: str = "") -> str:
-    """Return a name that nothing in the sources of a file has; different ones for different names.
+    """Return a name that clashes with nothing in a file's sources; distinct for distinct names.
 
-    Kernels begin with the name of their file.
+    Kernels' names begin with the name of their file, so such names are taken too.
     """
     begun = (HELPER, STORED, f"{file}_")
     free = name.rstrip("_")

@@ -1,6 +1,6 @@
-"""Conditions: in, the program that says whether all hold; out, one with an output for each.
+"""Conditions: in, a program that tests whether all hold; out, one with an output for each.
 
-Two that bound a value by 0 and infinity become one, which NumPy's kernels ask at once.
+Two that bound a value by 0 and infinity become one, which NumPy kernels test at once.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
-# Kinds that say that a value is finite and above 0, or not below it, and their comparisons.
+# Kinds that test whether a value is finite and above 0, or not below 0, and their comparisons.
 SIGNS: Mapping[str, str] = MappingProxyType(
     {"is_positive": "greater", "is_nonnegative": "greater_equal"}
 )
@@ -20,7 +20,7 @@ SIGN_OF: Mapping[str, str] = MappingProxyType({low: sign for sign, low in SIGNS.
 
 
 def split_conditions(program: Program) -> Program:
-    """Return the program with an output for each condition, a sign and being finite as one."""
+    """Return the program with an output per condition; a sign and finiteness become one."""
     conditions = _Conditions(program)
     (rest,), parts = program.outputs, []
     while (joined := conditions.made.get(rest)) and joined.kind == "both":
@@ -30,7 +30,7 @@ def split_conditions(program: Program) -> Program:
 
 
 def join_conditions(program: Program) -> Program:
-    """Return the program that says whether all outputs hold: the inverse of the splitting."""
+    """Return the program that tests whether all outputs hold: the inverse of splitting."""
     conditions = _Conditions(program)
     first, *others = [part for output in program.outputs for part in conditions.spell_out(output)]
     for other in others:
@@ -63,7 +63,7 @@ class _Conditions:
         return merged
 
     def _join_sign(self, one: Operand, other: Operand) -> Operand | None:
-        """Return the condition in place of two that bound one value by 0 and infinity."""
+        """Return the condition that replaces two that bound a value by 0 and infinity, or None."""
         (low, around), (high, other_around) = self._unwrap(one), self._unwrap(other)
         if low.kind not in SIGN_OF or low.operands[1] != 0 or around != other_around:
             return None
@@ -80,7 +80,7 @@ class _Conditions:
         return [self._wrap(part, around) for part in parts]
 
     def _unwrap(self, output: Operand) -> tuple[Operation, Operand | None]:
-        """Return the operation of a condition, and the axes along which it holds everywhere."""
+        """Return the operation of a condition, and the axes over which every element must hold."""
         step = self.made[output]
         if step.kind == "every":
             return self.made[step.operands[0]], step.operands[1]

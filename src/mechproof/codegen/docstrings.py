@@ -18,13 +18,13 @@ from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
 WIDTH = 92
 INDENT = "    "
-# The most lines in which a scale's formula without steps is shown; of a longer one only the name is
-# told.
+# The most lines of a scale's formula without steps that are shown; of a longer formula only the
+# name is shown.
 LONGEST_SCALE = 8
-# The most symbols that a formula explains itself; where there are more, those that several kernels
-# have in common are explained once, by the module.
+# The most symbols that a formula explains itself; if there are more, those shared by several
+# kernels are explained once, by the module.
 MOST_SYMBOLS = 4
-# What the docstring of a module says of all its kernels.
+# Paragraphs of a module's docstring about all its kernels.
 COMMON = (
     "Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an "
     "array; it is float32 if every array argument is float32, otherwise float64. `out`, an array "
@@ -61,21 +61,21 @@ PROVED = (
 
 
 def fold(text: str) -> str:
-    """Write a text in one line; the blanks that begin it stay."""
+    """Return a text in one line, keeping its leading blanks."""
     return re.sub(r"\s*[\n\t]\s*", " ", text)
 
 
 def write_c_comment(text: str) -> str:
-    """Write a line of a comment in C, which it does not end."""
+    """Return a text as a line of a C comment, which it can neither end nor nest."""
     return fold(text).replace("*/", "* /").replace("/*", "/ *")
 
 
 def write_docstring(text: str) -> str:
-    """Write what a docstring has between its quotes; its lines stay."""
+    """Return a text escaped for use between a docstring's quotes, keeping its lines."""
     return text.replace("\\", "\\\\").replace('"""', r"\"\"\"")
 
 
-# How a text of a paper is escaped for each place where it stands; templates take these as filters.
+# The escaping of a paper's texts for each place they are put in; templates use these as filters.
 ESCAPES: Mapping[str, Callable[[str], str]] = MappingProxyType(
     {
         "comment": fold,
@@ -87,7 +87,7 @@ ESCAPES: Mapping[str, Callable[[str], str]] = MappingProxyType(
 
 
 def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) -> tuple[str, ...]:
-    """Write the module's lines: what it holds, conventions, what all kernels share, scales."""
+    """Return the lines of a module's docstring: reference, conventions, scales, shared symbols."""
     kernels = tuple(kernels)
     shipped = [k for k in kernels if k.is_shipped]
     paragraphs = [first_line, paper.reference, paper.conventions, *COMMON]
@@ -100,7 +100,7 @@ def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) ->
 
 
 def _define_shared(kernels: tuple[Kernel, ...], paper: Paper) -> list[str]:
-    """Define the symbols that the formulas of several kernels have in common."""
+    """Return lines that define the symbols shared by the formulas of several kernels."""
     shared = _find_shared(kernels, paper)
     names = {s: n for k in kernels for s, n in input_names(k.quantity).items()}
     shown = (f"{s} = {write_formula(g, names)}" for s, g in paper.given.items() if s in shared)
@@ -119,7 +119,7 @@ def _shown_formula(kernel: Kernel) -> sp.Basic:
 
 
 def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
-    """Write the lines of a function: formula, arguments, result, domain, accuracy, source."""
+    """Return a function's docstring lines: formula, arguments, result, domain, accuracy, source."""
     quantity = kernel.quantity
     if not kernel.is_shipped:
         return _describe_rival(kernel, paper)
@@ -152,14 +152,14 @@ def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
 
 
 def describe_derivatives_module(paper: Paper) -> tuple[str, ...]:
-    """Write the lines of a module of derivatives."""
+    """Return the docstring lines of a module of derivatives."""
     first = f"Partial derivatives of the kernels of `{paper.system}`, by every argument."
     paragraphs = (first, paper.reference, DERIVATIVES, SLOPES)
     return tuple(line for text in paragraphs for line in (*_fill(text), ""))
 
 
 def describe_derivatives(kernel: Kernel) -> tuple[str, ...]:
-    """Write the lines of a function of derivatives: what of, and how accurate."""
+    """Return the docstring lines of a function of derivatives: subject, unit and accuracy."""
     quantity = kernel.quantity
     assert quantity.accuracy is not None
     told = tell_accuracy(quantity.accuracy, input_names(quantity))
@@ -175,7 +175,7 @@ def _scale_of(quantity: Quantity) -> Scale | None:
 
 
 def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
-    """Define the scales of errors; steps that several have in common stand before them."""
+    """Return blocks of lines that define the scales of errors, beginning with shared steps."""
     scales = [_write_scale(k, s) for k in kernels if (s := _scale_of(k.quantity))]
     counts = Counter(step for _, steps in scales for step in steps)
     shared = [line for step, n in counts.items() if n > 1 for line in _wrap_formula(step)]
@@ -183,14 +183,14 @@ def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
     for scale, steps in scales:
         texts = (scale, *(step for step in steps if counts[step] == 1))
         lines = [line for text in texts for line in _wrap_formula(text)]
-        # A long formula without steps is left out, as its name says what it is.
+        # A long formula without steps is omitted, as its name describes it.
         if steps or len(lines) <= LONGEST_SCALE:
             blocks.append(lines)
     return blocks
 
 
 def _write_scale(kernel: Kernel, scale: Scale) -> tuple[str, list[str]]:
-    """Write the formula of a scale, and of its steps."""
+    """Return the texts of a scale's formula and of its steps."""
     names = input_names(kernel.quantity)
     formula = write_formula(scale.expression, names)
     steps = [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
@@ -202,7 +202,7 @@ def _section(title: str, lines: list[str]) -> list[str]:
 
 
 class _Wrapper(TextWrapper):
-    """Wraps at blanks; products longer than a line after their signs too."""
+    """Wraps at blanks, and products longer than a line also after their signs."""
 
     def _split(self, text: str) -> list[str]:
         room = self.width - len(self.subsequent_indent)
@@ -239,7 +239,7 @@ def _formula(kernel: Kernel, paper: Paper) -> list[str]:
 def show_formula(
     kernel: Kernel, paper: Paper, shared: Collection[sp.Symbol] = frozenset()
 ) -> list[str]:
-    """Write the formula, with an equation for each given symbol that is not explained elsewhere."""
+    """Return a kernel's formula, with an equation for each given symbol that is not in `shared`."""
     formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), paper.given
     if isinstance(formula, sp.MatrixBase):
         rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
@@ -268,12 +268,12 @@ def _parameter(argument: Argument, quantity: Quantity) -> list[str]:
 
 
 def tell_unit(unit: str) -> str:
-    """Say what a value is in."""
+    """Return the text of a unit; "pure number" for 1."""
     return "pure number" if unit == "1" else unit
 
 
 def capitalise(text: str) -> str:
-    """Return a text with a capital at its beginning."""
+    """Return a text with its first letter capitalised, the others unchanged."""
     return text[:1].upper() + text[1:]
 
 
@@ -284,7 +284,7 @@ def _result(kernel: Kernel) -> list[str]:
 
 
 def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
-    """List what is said of a kernel beside its formula: domain, singular sets, accuracy, source."""
+    """List the notes on a kernel: domain, singular sets, remarks, accuracy, source."""
     quantity, names = kernel.quantity, input_names(kernel.quantity)
     notes = [f"Domain: {describe_domain(quantity, paper)}."]
     notes += [
@@ -308,10 +308,10 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
 
 
 def describe_domain(quantity: Quantity, paper: Paper) -> str:
-    """Say for which arguments a quantity is meant."""
+    """Return the text of a quantity's domain."""
     names = input_names(quantity)
     part = f" ({quantity.on.text})" if quantity.on else ""
-    # The words about a sum say more than its formula.
+    # The text about a part says more than the formula of a sum.
     told = (r for r in domain_relations(quantity, paper) if not (part and r.has(sp.Sum)))
     relations = [write_formula(r, names) for r in told]
     limits = join_equal_limits(chain_relations(relations))
@@ -329,12 +329,12 @@ def _approximations(kernel: Kernel) -> list[str]:
 
 
 def tell_bound(quantity: Quantity) -> str:
-    """Say what error is promised of a quantity; nothing where none is."""
+    """Return the text of a quantity's promised error bound; empty if it has none."""
     return tell_accuracy(quantity.accuracy, input_names(quantity)) if quantity.accuracy else ""
 
 
 def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
-    """Say what error is promised, and where."""
+    """Return the text of a promised error bound and of where it holds."""
     of = accuracy.scale.name if accuracy.scale else "the value"
     relations = dict.fromkeys(write_formula(r, names) for r in accuracy.within)
     limits = join_equal_limits(chain_relations([*relations]))

@@ -1,4 +1,4 @@
-"""Forms: in, a paper and the source emitted from it; out, the rows that say what each form is."""
+"""Forms: in, a paper and the source emitted from it; out, the rows on what the forms compute."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ from mechproof.record.implicit import LEFT, LastIterate
 from mechproof.record.quantities import DERIVATIVES, KERNEL
 from mechproof.record.relations import solve
 
-# Ends the number of the row that says that the rewrites of a form are legal.
+# Suffix of the number of a row that states that a form's rewrites are legal.
 LEGAL = ", legal"
-# Ends the number of the row that says how near a polynomial is to what it stands for.
+# Suffix of the number of a row that states how near a polynomial is to the value it replaces.
 NEAR_ZERO = ", near 0"
-# Ends the number of the row that says that Newton's steps lead to a root.
+# Suffix of the number of a row that states that Newton's steps lead to a root.
 CONVERGES = ", converges"
 _ENDS = ("", LEGAL, NEAR_ZERO, CONVERGES)
 # Place of an iterate, as a share of the bracket's width from its lower end.
@@ -49,10 +49,10 @@ _PLACE = sp.Symbol("place", real=True)
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
-    """Return the rows of every form: what its source computes, and that its rewrites are legal.
+    """Return the rows of every form: that its source computes it, and that its rewrites are legal.
 
-    The source is read back first. Raises `TranslationError` where it is not the program. What has
-    no kernel has a row that says why.
+    The source is read back first; raises `TranslationError` if it is not the program. A quantity
+    without a kernel gets a row with the reason.
     """
     functions = build_functions(paper)
     read_back(_leave_out(functions.refused, paper), functions.kernels)
@@ -67,7 +67,7 @@ def form_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def derivative_rows(paper: Paper) -> tuple[Row, ...]:
-    """Return the rows of the derivatives: what their source computes. It is read back first."""
+    """Return the rows on what the derivatives' source, which is read back first, computes."""
     derived = differentiate(paper)
     kernels = read_derivatives_back(paper)
     wanted = {quantity.name: quantity for quantity in select_wanted(paper)}
@@ -80,7 +80,7 @@ def derivative_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def _note_differentiated(row: Row, quantity: Quantity) -> Row:
-    """Attach to an equality between derivatives what was differentiated, and by which letters."""
+    """Attach to a row's equality of derivatives the differentiated expression and its letters."""
     if not isinstance(row.says, Equality):
         return row
     letters = tuple(argument.symbols[0] for argument in quantity.arguments)
@@ -89,20 +89,20 @@ def _note_differentiated(row: Row, quantity: Quantity) -> Row:
 
 
 def _tell_derivatives(row: Row) -> Row:
-    """Turn a row on the source of a kernel into one on the source of its derivatives."""
+    """Turn a row about a kernel's source into one about the source of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "what the chain rule makes of the definition")
     return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
 def list_derivative_numbers(quantity: Quantity) -> list[str]:
-    """List the numbers that rows on a quantity's derivatives may have; the first always exists."""
+    """List the numbers that rows about a quantity's derivatives may have; the first one exists."""
     numbers = [n for form in quantity.shipped[-1:] for n in _number_rows(quantity, form)]
     return [f"{DERIVATIVES}{number}" for number in numbers]
 
 
 def _leave_out(names: Container[str], paper: Paper) -> Paper:
-    """Return a paper without some of its quantities, and what is computed together with them."""
+    """Return a paper without some of its quantities and the one-pass kernels that include them."""
     left = tuple(q for q in paper.quantities if q.name not in names)
     together = tuple(t for t in paper.one_pass if not any(name in names for name in t.quantities))
     return paper if left == paper.quantities else replace(paper, quantities=left, one_pass=together)
@@ -115,7 +115,7 @@ def _state_refusal(quantity: Quantity, reason: str) -> Row:
 
 
 def _claim_of(quantity: Quantity, number: str, latex: str, says: Statement, **about: Any) -> Claim:
-    """Make a row on the source of a quantity."""
+    """Return a claim about the source of a quantity."""
     return Claim(number, latex, says, marks=("ours",), quantities=(quantity.name,), **about)
 
 
@@ -124,9 +124,9 @@ def _show(name: str) -> str:
 
 
 def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
-    """Read the emitted modules of a paper back and compare them with what is meant.
+    """Read the emitted modules of a paper back and compare them with its kernels.
 
-    Raises `SourceError`.
+    Raises `SourceError` for any difference.
     """
     for name, source in render_modules(paper).items():
         own = [kernel for kernel in kernels if kernel.is_shipped != name.startswith(FORMS)]
@@ -134,9 +134,9 @@ def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
 
 
 def read_derivatives_back(paper: Paper) -> tuple[Kernel, ...]:
-    """Return the kernels of the derivatives of a paper; the emitted module is compared with them.
+    """Return the kernels of a paper's derivatives, after comparing the emitted module with them.
 
-    Raises `SourceError`.
+    Raises `SourceError` for any difference.
     """
     kernels = list_functions(differentiate(paper))
     for source in render_derivatives(paper).values():
@@ -145,7 +145,7 @@ def read_derivatives_back(paper: Paper) -> tuple[Kernel, ...]:
 
 
 def number_form(quantity: Quantity, form: Form) -> str:
-    """Return the number of the row that says what the source of a form computes."""
+    """Return the number of the row on what the source of a form computes."""
     if form is quantity.shipped[-1]:
         return f"{KERNEL}{quantity.name}"
     if any(form is one for one in quantity.shipped):
@@ -154,7 +154,7 @@ def number_form(quantity: Quantity, form: Form) -> str:
 
 
 def number_shipped(paper: Paper) -> frozenset[str]:
-    """Return the numbers of the rows on which the kernels of a paper rest."""
+    """Return the numbers of the rows that a paper's kernels rely on."""
     forms = ((q, form) for q in paper.quantities for form in q.shipped)
     return frozenset(number for q, form in forms for number in _number_rows(q, form))
 
@@ -225,16 +225,16 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
 def _equal_but_enclosures(
     enclosures: Sequence[Enclosure | Solved], definition: sp.Basic, code: EmittedForm
 ) -> Statement:
-    """State an equality, with the exact values in place of the steps that enclose them."""
+    """State that the code equals the definition, with exact values for the enclosed steps."""
     exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
     return Equality(code.output(*exact).xreplace(exact), definition)
 
 
 def _state_steps(code: EmittedForm, solved: Solved) -> Statement:
-    """State that the steps are Newton's, from any place, and that they end at the root."""
+    """State that the steps are Newton's, from any place in the bracket, and end near the root."""
     root = solved.exact
     low, high = root.ends
-    # A symbol of its own would have the dimension of a number.
+    # A plain symbol for the iterate would be taken for a pure number.
     place = low + _PLACE * (high - low)
     steps = (
         Equality(code.step(step, before).xreplace({before: place}), root.step_from(place))
@@ -247,13 +247,13 @@ def _state_steps(code: EmittedForm, solved: Solved) -> Statement:
 
 
 def _widen(on: Part | None) -> Part:
-    """Let the place of an iterate be any real number."""
+    """Return a part in which the place of an iterate may also be any real number."""
     on = on or Part("", {})
     return replace(on, within={**on.within, _PLACE: sp.S.Reals})
 
 
 def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
-    """State how near the polynomial of a step is, and that its other branch is exact."""
+    """State that a step's polynomial is within its bound, and that its other branch is exact."""
     value = code.step(enclosure.step)
 
     def take(place: int) -> sp.Expr:
@@ -271,7 +271,7 @@ def _state_enclosure(code: EmittedForm, enclosure: Enclosure) -> Statement:
 
 
 def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
-    """Return the declared value of a definition that is a declared symbol."""
+    """Return the declared value of a definition that is itself a declared symbol."""
     given = paper.given
     for _ in given:
         definition = given.get(definition, definition)
@@ -279,7 +279,7 @@ def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
 
 
 def _join_parts(quantity: Quantity, form: Form, paper: Paper) -> Part | None:
-    """Join where the quantity is meant, where the form is, and when it is taken."""
+    """Join the parts on which the quantity and the form are defined, and when the form is taken."""
     parts = [part for part in (quantity.on, form.on) if part is not None]
     if form.when is not None:
         parts.append(_as_part(form.when, {v.symbol: v.within for v in paper.variables}))
@@ -291,7 +291,7 @@ def _join_parts(quantity: Quantity, form: Form, paper: Paper) -> Part | None:
 
 
 def _as_part(condition: sp.Basic, sets: Mapping[sp.Basic, sp.Set]) -> Part:
-    """Return a condition as a narrower set of its symbol if it has one only, else as it stands."""
+    """Return a condition as a narrower interval of its only symbol if it is one, else unchanged."""
     symbols = condition.free_symbols & sets.keys()
     if len(symbols) == 1 == len(condition.free_symbols):
         (symbol,) = symbols

@@ -1,4 +1,4 @@
-"""Formulas as plain text: in, an expression of a quantity; out, what a docstring shows."""
+"""Formulas as plain text: in, an expression of a quantity; out, its text for a docstring."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from mechproof.programs.step_names import sort_positive_first
 
 
 class FormulaPrinter(StrPrinter):  # type: ignore[misc]
-    """Plain text with the arguments' names and sums in the order people write them."""
+    """Plain text with arguments' names, and with sums in the order people write them."""
 
-    # Under SymPy's own name for this, elements of indexed symbols would print themselves.
+    # Under SymPy's own method name, elements of indexed symbols would print themselves.
     printmethod = "_formula_text"
 
     def __init__(self, names: Mapping[sp.Basic, str]) -> None:
@@ -71,7 +71,7 @@ class FormulaPrinter(StrPrinter):  # type: ignore[misc]
 
 
 def _as_power(number: int) -> str:
-    """Write large powers of two and of ten as such."""
+    """Return a number's text, with large powers of two and ten written as powers."""
     twos, tens = abs(number).bit_length() - 1, len(str(abs(number))) - 1
     if twos > 9 and number == 2**twos:
         return f"2**{twos}"
@@ -79,12 +79,12 @@ def _as_power(number: int) -> str:
 
 
 def write_formula(expression: sp.Basic, names: Mapping[sp.Basic, str]) -> str:
-    """Write the plain text of an expression or relation; `names` spells the inputs."""
+    """Return the plain text of an expression or relation; `names` spells the inputs."""
     return str(FormulaPrinter(names).doprint(expression))
 
 
 def chain_relations(limits: list[str]) -> list[str]:
-    """Join neighbours: 0 < R1, R1 < oo -> 0 < R1 < oo."""
+    """Join neighbouring relations: 0 < R1, R1 < oo -> 0 < R1 < oo."""
     chained: list[str] = []
     for limit in limits:
         last = chained[-1].split(" ")[-1] if chained else ""
@@ -97,7 +97,7 @@ def chain_relations(limits: list[str]) -> list[str]:
 
 
 def join_equal_limits(limits: list[str]) -> list[str]:
-    """Join what lies between the same limits: 0 < R1 < oo, 0 < R2 < oo -> 0 < R1, R2 < oo."""
+    """Join relations with the same limits: 0 < R1 < oo, 0 < R2 < oo -> 0 < R1, R2 < oo."""
     between: dict[tuple[str, str], list[str]] = {}
     for limit in limits:
         low, below, name, under, high = [*limit.split(" "), *[""] * 5][:5]

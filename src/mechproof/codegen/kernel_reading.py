@@ -1,6 +1,6 @@
-"""Reading of NumPy's kernels: what each function of their modules is meant to do.
+"""Reading of NumPy kernels: what each function of their modules is meant to do.
 
-It is stated in Python and recorded like the emitted source: both have to do the same.
+This is stated in Python and recorded like the emitted source; both records must agree.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from mechproof.programs.program import (
 )
 from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
-# Functions that act on axes, with their arguments besides an array: the operation they stand for,
-# and its operands.
+# Functions that act on axes, with their arguments other than the array, and the operations they
+# stand for, with operands.
 OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
     {
         ("add_up", ("axis", -1)): ("sum", 1),
@@ -37,18 +37,18 @@ OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
         ("diagonal", ("axis1", -2), ("axis2", -1)): ("diagonal",),
     }
 )
-# Names that a module holds besides functions; these are not read here.
+# Names that a module defines besides functions; these are not read here.
 HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED"})
 Meant = Iterator[tuple[str, RecordedFunction]]
 
 
 def check_module(source: str, kernels: Iterable[Kernel], system: str = "") -> None:
-    """Read a module back; raise `SourceError` where a function does not do what is meant."""
+    """Read a module back; raise `SourceError` if a function does not do what is meant."""
     compare(dict(_mean_module(kernels)), read_module(source), system)
 
 
 def read_module(source: str) -> dict[str, RecordedFunction]:
-    """Return the functions of a module by their names."""
+    """Return the functions of a module by their names, checks with their conditions joined."""
     functions = read_functions(source, _offer)
     (held,) = functions.pop("").ways
     if others := {step.result for step in held.operations} - HELD:
@@ -57,7 +57,7 @@ def read_module(source: str) -> dict[str, RecordedFunction]:
 
 
 def _offer(tape: Tape) -> dict[str, Any]:
-    """Return what stands in for functions of axes, and for facts."""
+    """Return the stand-ins for functions that act on axes, and for facts."""
 
     def act(name: str, value: Value, *last: Any, **named: Any) -> Value:
         given = name, *show(last), *((word, show(axes)) for word, axes in named.items())
@@ -71,7 +71,7 @@ def _offer(tape: Tape) -> dict[str, Any]:
 
 
 def _join_conditions(name: str, function: RecordedFunction) -> RecordedFunction:
-    """Return the function of a check as if it returned that all conditions hold."""
+    """Return a check's function as if it returned whether all conditions hold; others unchanged."""
     (way, *_) = function.ways
     (outputs,) = way.outputs
     made = {step.result for step in way.operations}
@@ -84,7 +84,7 @@ def _join_conditions(name: str, function: RecordedFunction) -> RecordedFunction:
 
 
 def _mean_module(kernels: Iterable[Kernel]) -> Meant:
-    """State what the functions of a module do."""
+    """Yield what the functions of a module are meant to do, by name."""
     tape, kernels = Tape(), tuple(kernels)
     names = name_functions(kernel.code for kernel in kernels)
     yield "__dir__", tape.run(lambda: "__all__")
@@ -98,7 +98,7 @@ def _mean_module(kernels: Iterable[Kernel]) -> Meant:
 
 
 def _mean_beside(tape: Tape, code: KernelCode) -> Meant:
-    """State what the functions beside a kernel do."""
+    """Yield what the helper functions of a kernel are meant to do: check, preparation, form."""
     if code.inside:
         asked = replace(code.inside, inputs=(*code.masked, *code.terms))
         yield f"{CHECK}{code.name}", RecordedFunction(asked.inputs, "", (), (asked,))
@@ -117,7 +117,7 @@ def _compute(tape: Tape, program: Program, *_: Value, one: bool = False) -> Any:
 
 
 def _run_kernel(tape: Tape, code: KernelCode, names: Mapping[str, str], *given: Value) -> Any:
-    """Do what a public function does."""
+    """Perform the operations of a public function on recording values."""
     *arguments, out = given
     axes = {"axes": code.axes} if code.axes else {}
     tape.assign(

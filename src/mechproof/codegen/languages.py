@@ -25,14 +25,14 @@ from mechproof.programs.operations import (
     Support,
 )
 
-# Prefix of the elementary functions in compiled kernels, and the last argument of a compiled
-# function that is right only up to the largest angle.
+# Prefix of elementary functions in compiled kernels, and the last argument of a compiled function
+# that is valid only up to the largest angle.
 ELEMENTARY, EXACT = "_elementary.", "_exact"
 CONSTANTS = MappingProxyType({"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"})
 
 
 def _spell(spellings: Mapping[str, Spelling | None], bodies: str = "") -> Syntax:
-    """Return the syntax of a language, its own functions in place of those it does not spell."""
+    """Return the syntax of a language; functions with the prefix `bodies` replace library ones."""
     spelled = {k: s for k, s in spellings.items() if s is not None}
     calls = {k: _name_function(s) for k, s in spelled.items() if not isinstance(s, Infix | Pattern)}
     if bodies:
@@ -51,7 +51,7 @@ def _name_function(spelling: Spelling) -> str:
 
 
 def _change(syntax: Syntax, calls: Mapping[str, str], **more: Any) -> Syntax:
-    """Return a language with other functions besides, or in place of its own."""
+    """Return a language with some functions added or replaced."""
     return replace(syntax, calls=MappingProxyType({**syntax.calls, **calls}), **more)
 
 
@@ -63,22 +63,22 @@ def _name_constants(
 
 
 NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})
-# In kernels whole numbers are written as floats, which NumPy combines with arrays faster; in the
-# facts of a module, which the runtime evaluates with fractions, they stay whole.
+# In kernels whole numbers are written as floats, which NumPy combines with arrays faster; in a
+# module's facts, which the runtime evaluates with fractions, they stay whole.
 NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
 # All whole numbers up to this are doubles.
 _MOST_EXACT = 2**53
 
 
 def _write_compiled(number: float) -> str:
-    """Write a number; compiled whole numbers have 64 bits, and not all of them are doubles."""
+    """Return a number's text; large whole ones as floats, since compiled integers have 64 bits."""
     return repr(number if abs(number) < _MOST_EXACT else float(number))
 
 
-# The functions of a language's own library, for angles that are reduced there.
+# The functions of a language's own library that reduce far angles themselves.
 _LIBRARY = ("tan", "sin", "cos")
-# Computes one number at a time; `exact` says whether far angles give their values, however long
-# that takes, or NaN.
+# Computes one number at a time; the argument `exact` decides whether far angles give their values,
+# however long that takes, or NaN.
 NUMBA = replace(
     _spell({k: row.numba for k, row in KINDS.items()}, ELEMENTARY),
     number=_write_compiled,
@@ -87,7 +87,7 @@ NUMBA = replace(
 NUMBA_FAR = _change(NUMBA, {name: f"_math.{name}" for name in _LIBRARY}, last={})
 C99 = replace(
     _spell({k: row.c for k, row in KINDS.items()}, HELPER),
-    # Right for every angle; only loops over points know that all their angles are near.
+    # Valid for every angle; only loops over points know that all their angles are near.
     last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
     constants=_name_constants("HUGE_VAL", "NAN"),
     number=lambda number: repr(float(number)),
@@ -120,10 +120,10 @@ C99_SINGLE_FAR = _change(C99_SINGLE, {name: f"{name}f" for name in _LIBRARY}, la
 class Script:
     """A language of formulas: how it spells operations, and how its files are laid out.
 
-    Where it takes arrays, all forms are computed and one is chosen for each element; where it takes
-    vectors, a point may have components. `apart`: a file for each function. `fuses`: its compilers
-    may take sums and products together, and what roundings left is lost. `native` are the kinds
-    that the language has, `helpers` functions that no program can say.
+    If it takes arrays, all forms are computed and one is chosen for each element; if it takes
+    vectors, a point may have components. `apart`: each function has its own file. `fuses`: its
+    compilers may fuse sums and products, which loses the rests of roundings. `native` are the kinds
+    that the language has, `helpers` the texts of functions that no program can express.
     """
 
     name: str
@@ -139,20 +139,20 @@ class Script:
 
     @property
     def template(self) -> str:
-        """Return the name of its template."""
+        """Return the name of the language's template."""
         return f"{self.name}{self.suffix}.jinja"
 
 
 def _script(
     name: str, suffix: str, syntax: Syntax, helpers: Mapping[str, str], **more: bool
 ) -> Script:
-    """Return a language whose kinds without a spelling are functions beside the formula."""
+    """Return a language whose kinds without a spelling are helper functions next to the formula."""
     native = frozenset({*syntax.infix, *syntax.patterns, *syntax.calls, "copy"})
     lacking = {kind: f"{HELPER}{kind}" for kind in KINDS if kind not in native}
     return Script(name, _change(syntax, lacking), suffix, native, MappingProxyType(helpers), **more)
 
 
-# Prefixes of variables of formulas, beside the names of the paper.
+# Prefixes of variables in formulas, next to the names of the paper.
 FORM, RESULT = "form_", "result"
 
 
@@ -162,7 +162,7 @@ def _avoid(words: str, name: str) -> str:
 
 
 def _write_long_real(number: float) -> str:
-    """Write a number of Structured Text, where one without a type may be taken for a REAL."""
+    """Return a number in Structured Text, typed unless a single-precision REAL can hold it."""
     digits = repr(float(number))
     return digits if unpack("f", pack("f", number))[0] == number else f"LREAL#{digits}"
 
@@ -187,7 +187,7 @@ def _spell_array_api(row: Kind) -> Spelling | None:
     return found
 
 
-# The operation that makes an array of a number, as functions of the standard need one.
+# The operation that makes an array of a number, as functions of the standard require arrays.
 ARRAY = "array"
 _ARRAY_API = replace(
     _spell(
@@ -197,10 +197,10 @@ _ARRAY_API = replace(
     constants=_name_constants("xp.inf", "xp.nan"),
     number=lambda number: repr(float(number)),
     name=partial(_avoid, "abs dtype given ones types v xp"),
-    # Functions beside the formula take the namespace, too.
+    # Helper functions next to the formula take the namespace too.
     last=MappingProxyType({k: "xp" for k, row in KINDS.items() if not _spell_array_api(row)}),
 )
-# The words are those of Octave, and names of functions that a formula may call.
+# The words are Octave's keywords, and functions that a formula may call.
 _OCTAVE = replace(
     _spell({k: row.octave for k, row in KINDS.items()}),
     constants=_name_constants("Inf", "NaN"),
@@ -230,7 +230,7 @@ _STRUCTURED_TEXT = replace(
     constants=_name_constants("", ""),
     number=_write_long_real,
 )
-# Words of IEC 61131-3, in which capitals do not count.
+# Words of IEC 61131-3, which ignores case.
 STRUCTURED_TEXT_WORDS = (
     "abs acos action and any array asin at atan atan2 bool by byte case configuration cos date "
     "dint do dt dword else elsif end exit exp expt false for from function if int interface ld le "

@@ -1,7 +1,7 @@
 """Regenerate: in, papers; out, the files of the generated package.
 
-Types of kernels, which compiled ones have, too, have files of their own: each function is typed
-three times, with its arguments by name.
+Types of kernels, which compiled kernels share, are in separate stub files: each function is typed
+up to three times, with its arguments by name.
 """
 
 from __future__ import annotations
@@ -30,26 +30,26 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "mechproof.kernel_support.facts": ("Condition", "Sizes"),
     }
 )
-# Names that stubs declare besides functions, and the types that these are made from.
+# Lines of stubs for names other than functions, and for types.
 HEADER = (
     "DOMAIN: _tuple[_Condition, ...]",
     "PUBLISHED: _tuple[_Sizes, ...]",
     "_Floats: _TypeAlias = _float | NDArray[_float64]",
 )
 OUT = "_Out: _TypeAlias = NDArray[Any] | None"
-# Lists the files of the generated package, so that the next run knows what it may replace.
+# File that lists the generated files, so that the next run knows which ones it may replace.
 LIST = "mechproof-generated.sha256"
 
 
 class Signature(NamedTuple):
-    """The types of all arguments, of `out` where that may be given, and of the result."""
+    """The types of all arguments, of `out` if it may be given, and of the result."""
 
     takes: str
     out: str
     gives: str
 
 
-# For lists, single precision and arrays of other packages, the type does not tell the result's.
+# For lists, single precision and other packages' arrays, types do not determine the result's.
 ANY = Signature("ArrayLike", "_Out", "Any")
 NUMBERS = (
     Signature("_float", "", "_float64"),
@@ -60,7 +60,7 @@ ARRAYS = (Signature("ArrayLike", "_Out", "NDArray[Any]"),)
 
 
 class StubFunction(NamedTuple):
-    """What is printed of a function."""
+    """A function in a stub: its name, arguments and overloads."""
 
     name: str
     arguments: tuple[Argument, ...]
@@ -68,7 +68,7 @@ class StubFunction(NamedTuple):
 
 
 def render_stubs(paper: Paper) -> dict[str, str]:
-    """Render the stubs of a paper's kernels by the names of their files, empty without any."""
+    """Render the stubs of a paper's kernels by file name; empty if it has no kernels."""
     kernels = {kernel.name: kernel for kernel in list_functions(paper) if kernel.is_shipped}
     if not kernels:
         return {}
@@ -86,7 +86,7 @@ def render_stubs(paper: Paper) -> dict[str, str]:
 
 
 def _describe(kernel: Kernel) -> StubFunction:
-    # A sum over all axes is a number, one over the last of several is an array.
+    # A sum over all axes is a number; one over the last of several is an array.
     of_one = (ANY,) if kernel.code.axes else NUMBERS
     return StubFunction(
         kernel.name, kernel.quantity.arguments, ARRAYS if kernel.code.shape else of_one
@@ -96,7 +96,7 @@ def _describe(kernel: Kernel) -> StubFunction:
 def _render(
     system: str, functions: Sequence[StubFunction], *, header: Sequence[str], beside: str = ""
 ) -> str:
-    """Render a stub, with all that is in the one beside it."""
+    """Render a stub, which also takes over everything in the stub of `beside`, if given."""
     data: dict[str, object] = {
         "docstring": (f"Types of the kernels of `{system}`.", "", REGENERATED),
         "header": header,
@@ -109,8 +109,8 @@ def _render(
 def render_package(papers: Iterable[Paper], *, is_own: bool = False) -> dict[str, str]:
     """Render every file of the generated package, by its name relative to the package.
 
-    Papers without forms have no module. `is_own` says that it is `mechproof.kernels`, where the
-    compiled kernels of all packages find the elementary functions.
+    Papers without forms have no module. `is_own` marks `mechproof.kernels`, where the compiled
+    kernels of all packages find the elementary functions.
     """
     files = {
         name: text

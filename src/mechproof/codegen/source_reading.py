@@ -1,11 +1,11 @@
-"""Reading: in, an emitted source; out, what its functions do to recording values.
+"""Reading: in, an emitted source; out, the operations its functions perform on recording values.
 
-It is run with nothing but what is handed to it: no builtins, no modules. Two things are seen to
-before, which running cannot show: that it has no loop, and that what is imported keeps its name.
-Each function, number, assignment and identity in it reports to a tape.
+The source is run in isolation, without builtins or modules other than stand-ins. Two things that a
+run cannot show are checked before: that there is no loop, and that imports keep their names. Each
+function, number, assignment and identity test in the source reports to a tape.
 
-Not the printer is verified but each text that it prints, as compilations are in translation
-validation (Pnueli, Siegel and Singerman 1998).
+What is verified is not the printer but each text that it prints, like the compilations in
+translation validation (Pnueli, Siegel and Singerman 1998).
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ _PARTS = (
     "BitOr Lt LtE Gt GtE Eq Is IsNot"
 )
 KNOWN = frozenset(_PARTS.split())
-# Modules have short names; everything else keeps its own, behind the underscore of the machinery.
+# Modules have short names; everything else keeps its own, after an underscore.
 SHORT = {"numpy": "_np", "math": "_math"}
 MODULES = re.compile(
     r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\.(kernels\.|kernel_|compiled_).*"
 )
 TYPES = ("Any", "ArrayLike", "NDArray[Any]", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
-# Names in annotations, which nothing evaluates, and the index of a new axis.
+# Names in annotations, which are never evaluated, and the index of a new axis.
 UNUSED = dict.fromkeys(("annotations", "Any", "ArrayLike", "NDArray", "newaxis"))
-# Functions whose operation has another name; all others have the name of theirs.
+# Functions that are named unlike their operation.
 RENAMED: Mapping[str, str] = MappingProxyType(
     {
         "abs": "absolute",
@@ -48,34 +48,34 @@ RENAMED: Mapping[str, str] = MappingProxyType(
         **{str(row.c): kind for kind, row in KINDS.items() if row.numba == f"_math.{row.c}"},
     }
 )
-# Names of the functions that report to the tape: no source can have such names.
+# Names of the functions that report to the tape; with blanks, so that no source can use them.
 VALUE, ASSIGN, SAME, DEFINE = "a value", "an assignment", "an identity", "a function"
 FILE = "<emitted>"
 Offer = Callable[[Tape], Mapping[str, Any]]
 
 
 class SourceError(ValueError):
-    """The emitted source has something that no kernel has."""
+    """The emitted source contains something that no kernel contains."""
 
 
 class TranslationError(SourceError):
-    """The emitted source does not compute the program that was meant."""
+    """The emitted source does not compute the intended program."""
 
 
 class _Instrument(ast.NodeTransformer):
-    """Refuses what no emitted code has, and puts in what reports."""
+    """Refuses syntax that no emitted code has, and inserts calls that report to the tape."""
 
     def visit(self, node: ast.AST) -> Any:
         if type(node).__name__ not in KNOWN:
             _refuse(node, f"no emitted code has {ast.unparse(node)!r}")
         block = node.body if isinstance(node, ast.FunctionDef | ast.If | ast.With) else []
         if any(isinstance(statement, ast.Return) for statement in block[:-1]):
-            # Code after a return is never run: no tape would show it.
+            # Code after a return never runs, so no tape would show it.
             _refuse(node, "more comes after a return")
         return super().visit(node)
 
     def visit_alias(self, node: ast.alias) -> ast.alias:
-        # Otherwise one function could be called by the name of another.
+        # Otherwise one function could be called under the name of another.
         if node.asname not in (None, SHORT.get(node.name, f"_{node.name}")):
             _refuse(node, f"{node.name} is called {node.asname}")
         return node
@@ -123,7 +123,7 @@ def _refuse(node: ast.AST, reason: str) -> None:
 
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:
-    """Return a call where its last argument stands."""
+    """Return a call at the source position of its last argument."""
     call = ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
     for node in (call, call.func, *arguments):
         if not hasattr(node, "lineno"):
@@ -132,7 +132,10 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class Module:
-    """A module as emitted code sees it: what it is offered, constants, operations and others."""
+    """A module as emitted code sees it: offered names, constants, operations, other functions.
+
+    Raises `SourceError` for a module that no emitted code imports.
+    """
 
     def __init__(self, tape: Tape, name: str, offered: Mapping[str, Any]) -> None:
         if not MODULES.fullmatch(name):
@@ -151,16 +154,17 @@ class Module:
 
 
 def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
-    """Return the functions of a module by their names, and under "" what the module itself does.
+    """Return the functions of a module by their names and, under "", the module's own statements.
 
-    Raises `SourceError` with the line for what no kernel has.
+    `offer` returns the stand-ins for imported names. Raises `SourceError`, with the line, for
+    anything that no kernel has.
     """
     tape, defined = Tape(), dict[str, tuple[str, FunctionType]]()
 
     def define(found: Any) -> Any:
         decorator, function = found if isinstance(found, tuple) else ("", found)
         defined[function.__name__] = decorator, function
-        # A compiled function is one operation to its callers, and is read by itself.
+        # To its callers a compiled function is one operation; it is read separately.
         return partial(tape.record, function.__name__) if decorator else function
 
     offered = {**UNUSED, **offer(tape)}
@@ -170,7 +174,7 @@ def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
     }
     try:
         tree = _Instrument().visit(ast.parse(source))
-        # The imports from the future are those of the emitted text, not of this one.
+        # The __future__ imports in force are the emitted text's, not this file's.
         code = compile(tree, FILE, "exec", dont_inherit=True)
         read = {"": tape.run(lambda: exec(code, names))}
         return read | {name: _read(tape, *found) for name, found in tuple(defined.items())}
@@ -195,7 +199,7 @@ def _read(tape: Tape, decorator: str, function: FunctionType) -> RecordedFunctio
 def compare(
     meant: Mapping[str, RecordedFunction], read: Mapping[str, RecordedFunction], system: str = ""
 ) -> None:
-    """Raise `TranslationError` with the first difference between what is meant and what is read."""
+    """Raise `TranslationError` for the first difference between functions as meant and as read."""
     for name in {**meant, **read}:
         parts = zip_longest(*(_list_parts(found.get(name)) for found in (meant, read)))
         for one, other in parts:
@@ -217,5 +221,5 @@ def _list_parts(function: RecordedFunction | None) -> Iterator[object]:
 
 
 def _round(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
-    """Return operands with whole numbers rounded to doubles, as they are when printed."""
+    """Return operands with whole numbers rounded to doubles, as printing does."""
     return tuple(float(one) if isinstance(one, int) else one for one in operands)

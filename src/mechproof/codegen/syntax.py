@@ -1,4 +1,4 @@
-"""Syntax: in, a program and a language's table; out, its text. Nothing is decided but brackets."""
+"""Syntax: in, a program and a language's table; out, its text. Only brackets are decided here."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 class Syntax:
     """How a language spells operations.
 
-    `calls` are functions by the kind of operation, `last` what is put after their arguments.
-    `name` spells a name of the paper so that it is none of the language's or the machinery's.
+    `calls` are functions by kind of operation, `last` extra last arguments of such calls. `name`
+    spells a paper's name so that it clashes with no name of the language or of generated code.
     """
 
     infix: Mapping[str, Infix]
@@ -35,7 +35,7 @@ class ProgramText:
 
 
 def write_program(program: Program, syntax: Syntax) -> ProgramText:
-    """Write a program; results without a name stand where they are used."""
+    """Return the text of a program; unnamed results are written where they are used."""
     writer = _Writer(syntax)
     steps = []
     for operation in program.operations:
@@ -61,7 +61,7 @@ class _Writer:
         return self._syntax.number(operand), ATOM if operand >= 0 else SIGN
 
     def enclose(self, operand: Operand, level: Level) -> str:
-        """Show an operand, in brackets if it binds less than `level`."""
+        """Return the text of an operand, in brackets if it binds less than `level`."""
         text, own = self.show(operand)
         return text if own >= level else f"({text})"
 
@@ -85,9 +85,9 @@ class _Writer:
     def _write_infix(self, kind: str, one: Operand, other: Operand) -> tuple[str, Level]:
         infix = self._syntax.infix[kind]
         level = infix.level
-        # Comparisons do not chain, so that both sides must bind more.
+        # Comparisons do not chain, so both sides must bind more.
         left = level + 1 if level == COMPARISON else level
-        # Brackets on the right stay even for sums and products: a + (b + c) is rounded as written.
+        # Brackets on the right stay even in sums and products: a + (b + c) is rounded as written.
         return f"{self.enclose(one, left)} {infix.sign} {self.enclose(other, level + 1)}", level
 
     def _write_reduction(self, kind: str, value: Operand, axes: Operand) -> str:

@@ -1,4 +1,4 @@
-"""Domain: in, the sets and relations of a paper; out, the conditions a kernel's arguments meet."""
+"""Domain: in, the sets and relations of a paper; out, the conditions on a kernel's arguments."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mechproof.record import Paper, Quantity, Variable
 
 
 def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
-    """Collect every relation on the arguments, of their variables, the paper and the quantity."""
+    """Collect the relations on the arguments alone: from variables, the paper and the quantity."""
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
     narrower = quantity.on.within if quantity.on else {}
     relations: list[sp.Basic] = []
@@ -23,15 +23,15 @@ def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
 
 
 def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
-    """Select the relations a kernel checks: a sum is left to the root that it stands under.
+    """Return the relations a kernel checks: those without sums.
 
-    Checking a sum would cost as much as the formula.
+    To check a sum would cost as much as the formula; the root it is under gives NaN.
     """
     return tuple(r for r in domain_relations(quantity, paper) if not r.has(sp.Sum))
 
 
 def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:
-    """Say whether a relation on the arguments, also by symbols given by them, stays unchecked."""
+    """Return whether some relation on the arguments, directly or by given symbols, is unchecked."""
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
     stated = paper.list_relations(quantity.on)
     others = (r for r in stated if trace_inputs(r, paper.given) <= inputs)
@@ -39,11 +39,14 @@ def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...])
 
 
 def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
-    """State that `item` is in an interval or a finite set, or natural; infinity is outside."""
+    """Return relations for `item` being in an interval, a finite set or Naturals; not infinite.
+
+    Raises ValueError for any other set.
+    """
     if values == sp.S.Reals:
         return []
     if values == sp.S.Naturals:
-        # Unevaluated, because a symbol that is declared an integer is its own floor.
+        # Unevaluated, because a symbol declared an integer is its own floor.
         whole = sp.Eq(item, sp.floor(item, evaluate=False), evaluate=False)
         return [*set_relations(item, sp.Interval(1, sp.oo)), whole]
     if isinstance(values, sp.FiniteSet):
@@ -60,7 +63,7 @@ def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
 
 
 def _element(variable: Variable, quantity: Quantity) -> sp.Expr:
-    """Return the symbol itself, or an element of an indexed base as the quantity indexes it."""
+    """Return the variable's symbol, or an element of an indexed base as the quantity indexes it."""
     if not isinstance(variable.symbol, sp.IndexedBase):
         return variable.symbol
     items = [i for i in quantity.definition.atoms(sp.Indexed) if i.base == variable.symbol]

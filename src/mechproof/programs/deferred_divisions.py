@@ -1,9 +1,9 @@
 """Deferred divisions: in, a program; out, one of the same value with fewer divisions.
 
-A tangent is a quotient of two values, and so is what an arctangent is taken of. Where one loop
-computes a point after the other, a division takes as long as ten products: numerators are
-computed with, their denominators counted, until these cancel: as projective coordinates put off the
-divisions of points on curves.
+A tangent is a quotient of two values, and so is the argument of many an arctangent. Where one loop
+computes point after point, a division takes as long as ten products: so only numerators are
+computed, and their denominators counted until they cancel, as projective coordinates defer the
+divisions in arithmetic on curves.
 """
 
 from __future__ import annotations
@@ -17,17 +17,16 @@ from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, i
 
 @dataclass(frozen=True)
 class Fraction:
-    """What an operand stands for: itself over powers of denominators."""
+    """The value that an operand stands for: a numerator over powers of denominators."""
 
     above: Operand
     below: Degree
 
 
 def defer_divisions(program: Program) -> Program:
-    """Return a program of the same value, whatever the scale of a tangent's two parts is.
+    """Return a program of the same value, whatever the common factor of a tangent's two parts.
 
-    Denominators of tangents have to cancel everywhere; a program in which one does not is
-    returned with the tangents it has.
+    Tangents are replaced by their parts only if their denominators cancel everywhere.
     """
     if any(step.kind == "tan" for step in program.operations):
         program = _Fractions(program).list_cancelled() or program
@@ -35,7 +34,7 @@ def defer_divisions(program: Program) -> Program:
 
 
 class _Fractions:
-    """The operations of a program with tangents by their parts."""
+    """Rewrites a program with tangents by their parts, tracking denominators."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
@@ -43,7 +42,7 @@ class _Fractions:
         self._fractions: dict[Operand, Fraction] = {}
 
     def list_cancelled(self) -> Program | None:
-        """Return the program, or None if a denominator is left somewhere."""
+        """Return the rewritten program, or None if some denominator does not cancel."""
         for step in self._program.operations:
             if not self._take(step):
                 return None
@@ -64,17 +63,17 @@ class _Fractions:
         return result
 
     def _name(self, operand: Operand, name: str) -> Operand:
-        """Name the last result if it has none: it is used twice."""
+        """Name the last result if it is unnamed, as it is used twice."""
         if not is_unnamed(operand):
             return operand
         self._operations[-1] = replace(self._operations[-1], result=name)
         return name
 
     def _take(self, step: Operation) -> bool:
-        """Add the operations of a step; false where it needs a value with a denominator."""
+        """Add the operations of a step; return False if it would need an undivided value."""
         given = [self._find(operand) for operand in step.operands]
         if step.kind == "tan" and not given[0].below.powers:
-            # The denominator is used by more than one value, so that it needs a name.
+            # The denominator is used by more than one value, so it needs a name.
             count = sum(one.kind == "tangent_above" for one in self._operations)
             name = f"tangent_{count + 1}" if is_unnamed(step.result) else step.result
             angle = self._name(given[0].above, f"{name}_angle")
@@ -95,7 +94,7 @@ class _Fractions:
         return True
 
     def _scale(self, fraction: Fraction, common: Degree) -> Operand:
-        """Return the numerator over a denominator that is a multiple of its own."""
+        """Return the fraction's numerator over `common`, a multiple of its denominator."""
         value = fraction.above
         missing = common / fraction.below
         for name in {**common.powers, **fraction.below.powers}:
@@ -105,7 +104,7 @@ class _Fractions:
 
 
 def _combine(kind: str, degrees: Iterable[Degree]) -> Degree | None:
-    """Return the denominators of a result; None where its operands must not have any."""
+    """Return the denominators of a result from its operands'; None if these must be made equal."""
     try:
         return None if kind in ("add", "subtract") else DEGREES[kind](*degrees)
     except (KeyError, ValueError):
@@ -113,14 +112,14 @@ def _combine(kind: str, degrees: Iterable[Degree]) -> Degree | None:
 
 
 def _join(degrees: Iterable[Degree]) -> Degree:
-    """Return the least common denominator, 1 among them."""
+    """Return the least common denominator of several denominators and 1."""
     listed = [degree.powers for degree in (*degrees, NONE)]
     highest = {name: max(p.get(name, 0) for p in listed) for p in listed for name in p}
     return Degree({name: power for name, power in highest.items() if power})
 
 
 def _join_quotients(program: Program) -> Program:
-    """Return the program with arctangents of quotients that take both parts."""
+    """Return the program with arctangents of quotients replaced by `arctan_quotient`."""
     made = {step.result: step for step in program.operations}
     operations: list[Operation] = []
     for step in program.operations:
@@ -133,7 +132,7 @@ def _join_quotients(program: Program) -> Program:
 def _take_quotient(
     step: Operation, made: dict[str, Operation], operations: list[Operation]
 ) -> Operation:
-    """Return the arctangent of (a/b)*c*d as that of a*c*d and b, the product added."""
+    """Return the arctangent of (a/b)*c*d as that of a*c*d over b, adding the product's steps."""
     (value,) = step.operands
     factors: list[Operand] = []
     while (found := made.get(str(value))) and found.kind == "multiply" and is_unnamed(value):

@@ -1,4 +1,4 @@
-"""Degrees: what becomes of a value where some factors are unknown, as of homogeneous functions."""
+"""Degrees: the powers of unknown factors in a value, as for homogeneous functions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mechproof.programs.program import Operand
 
 @dataclass(frozen=True)
 class Degree:
-    """The powers of unknown factors that a value has; `powers` is empty if it has none."""
+    """The powers of unknown factors in a value; `powers` is empty if it has none."""
 
     powers: Mapping[Operand, int]
 

@@ -1,8 +1,8 @@
-"""Branches: in, a program that computes both and chooses; out, one to be differentiated by machine.
+"""Branches: in, a program that computes both and chooses; out, one that machines can differentiate.
 
-The derivative of a branch that is not taken counts zero times, which is NaN where it is infinite or
-NaN, as that of a root of a negative number. So what the branch takes is chosen before it, too (the
-"double where" of JAX): nothing comes back through there, and values are the same.
+The derivative of a branch that is not taken is multiplied by zero, which gives NaN if it is NaN or
+infinite, as for a root of a negative number. So the operands of a branch are also chosen before it
+(JAX's "double where"): no derivative passes back through there, and values are the same.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from mechproof.programs.program import Operand, Operation, Program, is_unnamed
 
 
 def block_branches(program: Program) -> Program:
-    """Return the program with NaN for the operands of a branch, wherever it is not taken."""
+    """Return the program with NaN for the operands of each branch where it is not taken."""
     for step in program.operations:
         if step.kind == "choose":
             program = _block(program, step.result)
@@ -34,7 +34,7 @@ def _block(program: Program, result: str) -> Program:
     before = [step for step in program.operations[:place] if step.result not in own]
     operations = [*before, *blocked, *program.operations[place:]]
     if is_unnamed(condition):
-        # A result without a name may be used only once, so that this one needs a name.
+        # A result without a name may be used only once, so this one needs a name.
         names: dict[Operand, str] = {condition: unused_name("holds", taken)}
         operations = [step.rename(names) for step in operations]
     return replace(program, operations=tuple(operations))
@@ -47,7 +47,10 @@ def _block_branch(
     chosen: tuple[Operand, ...],
     taken: set[str],
 ) -> list[Operation]:
-    """List the steps that choose a branch's operands, NaN in the empty place, and its own steps."""
+    """List the steps that choose a branch's operands, by `chosen`, followed by its own steps.
+
+    The operand is put in the empty place of `chosen`.
+    """
     own = _list_own(program, choice, branch)
     made = {step.result for step in own}
     steps, names = [], dict[Operand, str]()
@@ -61,7 +64,7 @@ def _block_branch(
 
 
 def _list_own(program: Program, choice: Operation, branch: Operand) -> list[Operation]:
-    """List the steps whose results nothing but one branch takes."""
+    """List the steps whose results only one branch uses; none if an output is among them."""
     own: list[Operation] = []
     made: set[str] = set()
     for step in reversed(program.operations):

@@ -24,7 +24,7 @@ class KeepsShape(sp.Function):  # type: ignore[misc]
 
 @dataclass(frozen=True)
 class Enclosure:
-    """A step that is `exact` but for a `bound` where |symbol| <= limit, and exact beyond."""
+    """A step within `bound` of `exact` where |symbol| <= limit, and equal to it elsewhere."""
 
     step: sp.Symbol
     exact: sp.Expr
@@ -34,29 +34,29 @@ class Enclosure:
 
     @property
     def inside(self) -> sp.Basic:
-        """Return where the step is enclosed."""
+        """Return the condition under which the step may differ from `exact`."""
         return sp.Le(sp.Abs(self.symbol), self.limit)
 
 
 @dataclass(frozen=True)
 class Solved:
-    """The iterates, which are steps, of Newton's method; the last one stands for the root."""
+    """The iterates of Newton's method, as steps; the last one stands for the root `exact`."""
 
     exact: Root
     iterates: tuple[sp.Symbol, ...]
 
     @property
     def step(self) -> sp.Symbol:
-        """Return the step in place of the root."""
+        """Return the step that stands for the root."""
         return self.iterates[-1]
 
 
 @dataclass(frozen=True)
 class Evaluation:
-    """Named steps, each of inputs and the steps before it, and the output computed from them.
+    """Named steps, each in terms of inputs and earlier steps, and the output computed from them.
 
     `obligations` are the relations on the inputs under which the rewrites so far are legal;
-    `enclosures` the steps that are no more than enclosed.
+    `enclosures` are the steps that are computed only to a bound.
     """
 
     inputs: frozenset[sp.Basic]
@@ -66,11 +66,11 @@ class Evaluation:
     enclosures: tuple[Enclosure | Solved, ...] = ()
 
     def enclose(self, enclosures: Iterable[Enclosure | Solved]) -> Evaluation:
-        """Add steps that a rewrite encloses."""
+        """Return the evaluation with more steps that are computed only to a bound."""
         return replace(self, enclosures=(*self.enclosures, *enclosures))
 
     def oblige(self, relations: Iterable[sp.Basic]) -> Evaluation:
-        """Add relations under which a rewrite is legal, their steps inserted."""
+        """Return the evaluation with more obligations, expressed in the inputs."""
         values = self.step_values()
         added = (relation.xreplace(values) for relation in relations)
         wanted = (r for r in (*self.obligations, *added) if r != sp.true)
@@ -88,12 +88,12 @@ class Evaluation:
         return (*(value for _, value in self.steps), *entries(self.output))
 
     def new_symbol(self, name: str, steps: Iterable[Step] = ()) -> sp.Symbol:
-        """Return a real symbol called `name`, numbered if an input or a step has that name."""
+        """Return a real symbol called `name`, numbered if an input or a step is called so."""
         taken = {str(s) for s in self.inputs} | {str(s) for s, _ in (*self.steps, *steps)}
         return sp.Symbol(unused_name(name, taken), real=True)
 
     def add_step(self, name: str, value: sp.Expr, steps: list[Step]) -> sp.Symbol:
-        """Add a step to `steps` and return its symbol, which is new."""
+        """Append a step to `steps` and return its new symbol."""
         symbol = self.new_symbol(name, steps)
         steps.append((symbol, value))
         return symbol
@@ -101,9 +101,9 @@ class Evaluation:
     def transform(
         self, convert: Callable[[sp.Expr], sp.Expr], steps: Iterable[Step] = ()
     ) -> Evaluation:
-        """Apply `convert` to every expression and add `steps` as they stand.
+        """Apply `convert` to every expression and add `steps`, unconverted.
 
-        `steps` is read last, so that `convert` may still add to it.
+        `steps` is read last, so that `convert` may append to it.
         """
         old = [(symbol, convert(value)) for symbol, value in self.steps]
         output = map_entries(convert, self.output)
@@ -115,7 +115,7 @@ class Evaluation:
         convert: Callable[[sp.Expr], sp.Expr],
         steps: Iterable[Step] = (),
     ) -> Evaluation:
-        """Apply `convert` to the parts that are meant, inner ones first, and add `steps`."""
+        """Apply `convert` to the parts for which `is_meant` holds, inner first, and add `steps`."""
         return self.transform(lambda value: value.replace(is_meant, convert), steps)
 
     def convert_output(self, convert: Callable[[sp.Expr], sp.Expr]) -> Evaluation:
@@ -123,12 +123,12 @@ class Evaluation:
         return self.rearrange(self.steps, map_entries(convert, self.output))
 
     def list_angles(self, *functions: type[sp.Function]) -> list[sp.Expr]:
-        """List the arguments of functions, in SymPy's order."""
+        """List the arguments to which any of the functions are applied, in SymPy's order."""
         found = {node.args[0] for e in self.expressions() for node in e.atoms(*functions)}
         return sorted(found, key=sp.default_sort_key)
 
     def rearrange(self, steps: Iterable[Step], output: sp.Basic) -> Evaluation:
-        """Take other steps and another output, leaving out steps that it does not need.
+        """Return the evaluation with new steps and a new output, without steps it does not need.
 
         The steps are ordered as the output needs them.
         """
@@ -143,7 +143,7 @@ class Evaluation:
             if node in values:
                 visit(values[node])
                 ordered[node] = values[node]
-            # SymPy's traversals take the arguments of Max and Min in the order of a set.
+            # Not by SymPy's traversals, which visit the arguments of Max and Min in set order.
             for argument in node.args:
                 visit(argument)
 
@@ -152,11 +152,11 @@ class Evaluation:
 
 
 def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
-    """Take a form's expression; symbols that the paper defines by others become steps.
+    """Return the evaluation of a form; symbols that the paper defines by others become steps.
 
-    An argument that does not occur in a rival goes alongside. Raises ValueError if the expression
-    has a symbol that is neither argument nor defined, or if an argument of the kernel does not
-    occur.
+    An argument that does not occur in a rival form contributes only shape and NaN. Raises
+    ValueError if the expression has a symbol that is neither an argument nor defined, or if an
+    argument does not occur in a form that is no rival.
     """
     inputs = frozenset(s for argument in quantity.arguments for s in argument.symbols)
     steps = [(s, g) for s, g in paper.given.items() if s not in inputs]
@@ -176,7 +176,7 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
 
 
 def _solve(evaluation: Evaluation) -> Evaluation:
-    """Replace roots by the steps of Newton's method."""
+    """Replace implicit roots by the steps of Newton's method."""
     roots = dict.fromkeys(r for e in evaluation.expressions() for r in find_parts(e, Root))
     steps: list[Step] = []
     found: list[Solved] = []
@@ -193,17 +193,17 @@ def _solve(evaluation: Evaluation) -> Evaluation:
 
 
 def _write_out(entry: sp.Expr) -> sp.Expr:
-    """Write out steps, and sums but those over arguments."""
+    """Write out the record's step functions and all sums except those over indexed arguments."""
     return write_sums_out(write_steps(sp.sympify(entry)), lambda total: not total.has(sp.Indexed))
 
 
 def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic) -> Evaluation:
-    """Order the steps as the output needs them and leave out those it does not need."""
+    """Return an evaluation of the steps that the output needs, in the order it needs them."""
     return Evaluation(inputs, (), output).rearrange(steps, output)
 
 
 def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
-    """Find the symbols and indexed bases an expression needs; bound indices and labels are not."""
+    """Return the symbols and indexed bases of an expression, without indices, bounds and labels."""
     bases: set[sp.Basic] = find_parts(expression, sp.IndexedBase)
     labels = {base.label for base in bases}
     indices = {i for item in find_parts(expression, sp.Indexed) for i in item.indices}
@@ -214,12 +214,12 @@ def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
 
 
 def trace_inputs(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
-    """Find the symbols without a value that an expression needs, directly or through others."""
+    """Return the symbols without a value that an expression needs, directly or through others."""
     return find_needed(expression, values) - values.keys()
 
 
 def find_needed(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
-    """Find all symbols that an expression needs, directly or through those that have values."""
+    """Return all symbols that an expression needs, directly or through those with values."""
     found: set[sp.Basic] = set()
     waiting = [expression]
     while waiting:
@@ -234,11 +234,10 @@ def find_carried(
     values: Mapping[sp.Basic, sp.Basic],
     known: dict[sp.Basic, set[sp.Basic]],
 ) -> set[sp.Basic]:
-    """Find the inputs whose NaN is certain to make an expression NaN; `known` keeps those of steps.
+    """Return the inputs whose NaN certainly makes an expression NaN; `known` caches those of steps.
 
-    If the conditions of pieces are about NaN, only the last piece holds there; otherwise any one
-    piece is taken. Every step is looked into once: each of Newton's contains the one before several
-    times.
+    If conditions of pieces compare with a NaN, only the last piece is taken there; otherwise any
+    piece may be. Each step is visited once: a Newton step contains the one before several times.
     """
     if isinstance(expression, sp.Piecewise):
         return _find_carried_by_pieces(expression, values, known)
@@ -269,13 +268,13 @@ def _find_carried_by_pieces(
 
 
 def count_axes(argument: Argument, quantity: Quantity) -> int:
-    """Count the indices with which the definition uses an indexed argument."""
+    """Return the number of indices with which the definition uses an indexed argument."""
     items = quantity.definition.atoms(sp.Indexed)
     return next(len(item.indices) for item in items if item.base == argument.symbols[0])
 
 
 def entries(output: sp.Basic) -> tuple[sp.Expr, ...]:
-    """List the entries of a matrix row by row, or the one expression."""
+    """Return the entries of a matrix row by row, or a tuple of the single expression."""
     return tuple(output) if isinstance(output, sp.MatrixBase) else (output,)
 
 
@@ -288,7 +287,7 @@ def result_shape(output: sp.Basic) -> tuple[int, ...]:
 
 
 def map_entries(convert: Callable[[sp.Expr], sp.Expr], output: sp.Basic) -> sp.Basic:
-    """Apply `convert` to every entry."""
+    """Return the output with `convert` applied to every entry, or to the single expression."""
     if isinstance(output, sp.MatrixBase):
         return sp.ImmutableDenseMatrix(output.applyfunc(convert))
     return convert(output)

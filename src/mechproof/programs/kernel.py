@@ -1,6 +1,6 @@
 """Kernel: in, a quantity and the forms of one function; out, its code as programs.
 
-What the parameters alone decide is divided from what varies point by point; every backend prints
+Computations with the parameters alone are separated from those for each point; every backend prints
 the same code.
 """
 
@@ -37,10 +37,10 @@ from mechproof.record.memory import remember_last
 
 @dataclass(frozen=True)
 class Kernel:
-    """A function to be printed: its forms, tried in order, and its code.
+    """A function to print: its forms, tried in order, and its code.
 
-    `obligations` are the relations under which the rewrites of each form are legal, `enclosures`
-    the steps of each that are computed to a bound.
+    `obligations` are, for each form, the relations under which its rewrites are legal; `enclosures`
+    are the steps of each form that are computed only to a bound.
     """
 
     name: str
@@ -53,19 +53,19 @@ class Kernel:
 
     @property
     def is_shipped(self) -> bool:
-        """Return whether it is the kernel of its quantity, not a rival."""
+        """Return whether this is the quantity's own kernel, not a rival."""
         return self.forms == self.quantity.shipped
 
     @property
     def is_alternative(self) -> bool:
-        """Return whether it is a rival of ours that equals the definition without reservation."""
+        """Return whether this is a rival of our own that equals the definition unconditionally."""
         said = [(f.source, f.note, f.bound, f.on, f.holds_on) for f in self.forms]
         return not self.is_shipped and not any(map(any, said))
 
 
 @dataclass(frozen=True)
 class Functions:
-    """The kernels of a paper, and by its name why a quantity has none and what mends that."""
+    """The kernels of a paper and, by name of a quantity without one, the reason and the remedy."""
 
     kernels: tuple[Kernel, ...]
     refused: Mapping[str, str]
@@ -74,7 +74,7 @@ class Functions:
 def list_functions(paper: Paper) -> tuple[Kernel, ...]:
     """Build the kernel of every quantity that has forms, each followed by its rivals.
 
-    Raises NotImplementedError where a quantity has what no kernel can have.
+    Raises NotImplementedError if a form uses something that no kernel can compute.
     """
     functions = build_functions(paper)
     for refusal in functions.refused.values():
@@ -112,7 +112,7 @@ def name_rival(quantity: Quantity, form: Form) -> str:
 
 
 def evaluate_form(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
-    """Make the evaluation a kernel prints: the form, its rewrites, shared subexpressions."""
+    """Return the evaluation to print: the form's, rewritten, with shared subexpressions named."""
     started = start_evaluation(quantity, form, paper)
     return share_subexpressions(apply_rewrites(started, form.rewrites))
 
@@ -120,7 +120,7 @@ def evaluate_form(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
 def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: Paper) -> Kernel:
     """Build the code of one function.
 
-    Raises ValueError where the quantity cannot be computed or its domain cannot be checked.
+    Raises ValueError if the quantity cannot be computed or its domain cannot be checked.
     """
     if not is_free(name, PUBLIC_IN_MODULES) or name.endswith("_"):
         raise ValueError(f"{paper.system}: {name!r} cannot name a kernel")
@@ -131,8 +131,8 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     ]
     used = set().union(*map(_used_symbols, evaluations))
     running = quantity.arguments[0].symbols
-    # Conditions on the parameters alone come first: they compare one number with one number, the
-    # others all points.
+    # Conditions on the parameters alone come first: each compares single numbers, the others all
+    # points.
     conditions = tuple(sorted(checked, key=lambda r: r.has(*running)))
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
@@ -159,7 +159,7 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
         ),
         shape=result_shape(evaluations[0].output),
         quiet=can_be_left(quantity, paper, conditions)
-        # All pieces are computed everywhere, even where another one is taken, and may warn there.
+        # All pieces are computed everywhere and may warn even where another one is taken.
         or any(f.expression.has(sp.Piecewise) for f in forms),
     )
     started = [start_evaluation(quantity, form, paper) for form in forms]
@@ -205,7 +205,7 @@ def _build_stage(
 
 
 def input_names(quantity: Quantity) -> Mapping[sp.Basic, str]:
-    """Name the inputs: a lone symbol is called like its argument, components like their symbols."""
+    """Return the inputs' names: a lone symbol has its argument's, components their symbols'."""
     return {
         s: argument.name if len(argument.symbols) == 1 else str(s)
         for argument in quantity.arguments
@@ -218,7 +218,7 @@ def _used_symbols(evaluation: Evaluation) -> set[sp.Basic]:
 
 
 def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.Expr] | None:
-    """List the matrix row by row, then the shift, of outputs affine in as many components."""
+    """List matrix (row by row) and shift if the outputs are affine in as many components."""
     point, outputs = quantity.arguments[0].symbols, entries(evaluation.output)
     large = _point_sized(quantity, evaluation)
     if not 1 < len(point) == len(outputs) or any(s in large for s, _ in evaluation.steps):
@@ -237,7 +237,7 @@ def hash_expressions(evaluations: list[Evaluation]) -> str:
 
 
 def _check_names(quantity: Quantity, names: list[str]) -> None:
-    """Require every name to be a variable of its own in the printed function."""
+    """Raise ValueError unless every name can be a separate variable in the printed function."""
     taken = {a.name for a in quantity.arguments if len(a.symbols) > 1}
     for name in names:
         if not is_free(name) or name in taken:
@@ -246,7 +246,7 @@ def _check_names(quantity: Quantity, names: list[str]) -> None:
 
 
 def _point_sized(quantity: Quantity, evaluation: Evaluation) -> frozenset[sp.Basic]:
-    """Collect the running variable and the steps computed from it."""
+    """Return the running symbols and the steps computed from them."""
     large = set(quantity.arguments[0].symbols)
     for symbol, value in evaluation.steps:
         if value.has(*large):
@@ -255,15 +255,15 @@ def _point_sized(quantity: Quantity, evaluation: Evaluation) -> frozenset[sp.Bas
 
 
 def _list_masked(quantity: Quantity, conditions: Iterable[sp.Basic]) -> list[sp.Symbol]:
-    """List the parameters of the conditions: none of them is computed with outside the domain."""
+    """List the parameters in the conditions, which are masked outside the domain."""
     met = set().union(*map(input_symbols, conditions))
     return [s for a in quantity.arguments for s in a.symbols if s in met and s.is_Symbol]
 
 
 def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluation:
-    """Make every output NaN where a number that it depends on is NaN, and outside the domain.
+    """Make every output NaN where a number it depends on is NaN, and outside the domain.
 
-    Where one of the masked parameters is NaN, all of them become NaN.
+    If one of the masked parameters is NaN, all of them become NaN, so one suffices.
     """
     steps = dict(evaluation.steps)
 
@@ -279,7 +279,7 @@ def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluatio
 def _name_vectors(
     quantity: Quantity, used: set[sp.Basic], affine: bool
 ) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Name the components of vectors; an affine map takes its points whole."""
+    """Return the names of vectors' components: "_" if unused; points of affine maps have items."""
     vectors = []
     for number, argument in enumerate(quantity.arguments):
         if len(argument.symbols) == 1:
@@ -292,7 +292,7 @@ def _name_vectors(
 
 
 def shape_of(argument: Argument, quantity: Quantity) -> str:
-    """Describe the shape of an argument."""
+    """Return a text that describes the shape of an argument."""
     if len(argument.symbols) > 1:
         return f"shape (..., {len(argument.symbols)})"
     if isinstance(argument.symbols[0], sp.IndexedBase):

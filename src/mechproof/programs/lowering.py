@@ -1,11 +1,11 @@
-"""Lowering: in, SymPy expressions; out, programs. The order of rounding is decided here.
+"""Lowering: in, SymPy expressions; out, programs. The order of roundings is decided here.
 
-Sums add positive terms first, as people write them. Products take what the parameters alone
-decide first, so that it is computed once and not once per point, and divide before they multiply
-by the running variable: a tiny variable times a tiny numerator would underflow before a tiny
-denominator brings it back. Squares are one operation, other whole powers are squares and products.
-Under a sum the factors of one index come first: of squares their product is squared once, and of
-two indices alike it is the vector of a quadratic form, which under a root is not negative.
+Sums add positive terms first, as people write them. Products take the factors of parameters alone
+first, so that these are computed once and not once per point, and divide before they multiply by
+the running variable: a tiny variable times a tiny numerator would underflow before a tiny
+denominator brings it back. Squares are one operation; other whole powers are squares and products.
+In the term of a sum, squares of factors become one square of their product; a term x[i]*x[j]*M[i,
+j] becomes a quadratic form of the vector x, which under a root is taken to be nonnegative.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from mechproof.record.substitution import MOST_TERMS, STEPS, write_steps
 
 
 def _name_head(row: Kind) -> str:
-    """Return how expressions call a kind of function; "" of operators."""
+    """Return the name by which expressions call a kind of function; "" for operators."""
     if isinstance(row.sympy, type) and issubclass(row.sympy, sp.Function):
         return str(row.sympy.__name__)
     return row.head
@@ -44,7 +44,7 @@ CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.C
 
 
 class Lowering:
-    """Turns expressions into operations; `names` spells inputs, `large` are what points change."""
+    """Turns expressions into operations; `names` spells inputs, `large` are those of points."""
 
     def __init__(self, names: Mapping[sp.Basic, str], large: frozenset[sp.Basic]) -> None:
         self.operations: list[Operation] = []
@@ -64,7 +64,7 @@ class Lowering:
             self.operations.append(Operation(name, "copy", (result,)))
 
     def lower_relation(self, relation: sp.Basic) -> Operand:
-        """Add the operations of a relation, true where it holds for every value of its indices."""
+        """Add the operations of a relation, true if it holds for all values of its indices."""
         items = relation.atoms(sp.Indexed)
         self._axes = tuple(sorted({i for item in items for i in item.indices}, key=str))
         result = self.lower(write_steps(relation))
@@ -72,14 +72,14 @@ class Lowering:
         return self._add("every", result, len(axes)) if axes else result
 
     def lower(self, expression: sp.Basic) -> Operand:
-        """Add the operations of an expression; NotImplementedError for what has no row."""
+        """Add an expression's operations; NotImplementedError for a function without a kind."""
         for kind, method in _METHODS:
             if isinstance(expression, kind):
                 return method(self, expression)
         raise NotImplementedError(f"no operation for {expression.func.__name__}: {expression}")
 
     def join(self, relations: Iterable[sp.Basic]) -> Operand:
-        """Add the operations that say whether all relations hold."""
+        """Add the operations that test whether all relations hold."""
         return self._fold("both", map(self.lower_relation, relations))
 
     def _add(self, kind: str, *operands: Operand) -> str:
@@ -90,11 +90,11 @@ class Lowering:
         return result
 
     def _fold(self, kind: str, operands: Iterable[Operand]) -> Operand:
-        """Add the operations that take operands together, each as soon as it is known."""
+        """Add operations that combine operands from the left, each one as soon as it is known."""
         return reduce(partial(self._add, kind), operands)
 
     def _name_last(self, operand: Operand, suggestion: str) -> Operand:
-        """Give the temporary that is used more than once a name."""
+        """Give the last result a name if it is a temporary, as it is used more than once."""
         if not (isinstance(operand, str) and operand.startswith(TEMPORARY)):
             return operand
         name = unused_name(suggestion, self._taken)
@@ -114,7 +114,7 @@ class Lowering:
             return int(exact)
         if sp.Rational(float(exact)) == exact:
             return float(exact)
-        # As a quotient it stays the exact number for those who read the program.
+        # As a quotient, it remains the exact number for readers of the program.
         return self._add("divide", int(exact.p), int(exact.q))
 
     def _constant(self, constant: sp.Basic) -> Operand:
@@ -192,7 +192,7 @@ class Lowering:
         return self._raise(operand, exponent)
 
     def _raise(self, operand: Operand, exponent: int) -> Operand:
-        """Multiply squares: x**3 = x*x**2."""
+        """Add the squares and products of a whole power, as x**3 = x*x**2."""
         if exponent == 1:
             return operand
         if exponent % 2:
@@ -236,7 +236,7 @@ class Lowering:
             raise NotImplementedError(
                 f"no operation for {total}, but for axes of arguments and {most}"
             )
-        # The outermost index of a double sum stands last in `limits` and first among the axes.
+        # The outermost index of a double sum is last in `limits` and first among the axes.
         self._axes = tuple(index for index, *_ in reversed(total.limits))
         parts = _split_quadratic(total.function, self._axes)
         if parts is None:
@@ -272,7 +272,7 @@ class Lowering:
 
 
 def _split_quadratic(term: sp.Expr, axes: tuple[sp.Basic, ...]) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return x[j] and M[i, j] of a term x[i]*x[j]*M[i, j], None of all others."""
+    """Return x[j] and M[i, j] for a term x[i]*x[j]*M[i, j]; None for any other term."""
     parts: dict[frozenset[sp.Basic], sp.Expr] = {}
     for factor in sp.Mul.make_args(term):
         used = frozenset(i for item in factor.atoms(sp.Indexed) for i in item.indices)
@@ -323,7 +323,7 @@ def lower_steps(
 def lower_conditions(
     names: Mapping[sp.Basic, str], inputs: tuple[str, ...], relations: Iterable[sp.Basic]
 ) -> Program:
-    """Return the program that says whether all relations hold."""
+    """Return the program that tests whether all relations hold."""
     lowering = Lowering(names, frozenset())
     result = lowering.join(relations)
     return Program(inputs, tuple(lowering.operations), (result,)).normal_form()

@@ -1,9 +1,10 @@
-"""Operations: one row for each kind, with what it means, how it is rounded, how it is spelled.
+"""Operations: one row for each kind, with its meaning, its rounding and its spellings.
 
-What follows from a row is not said again. A kind means a function of SymPy, or is put together of
-other kinds by arithmetic that every number has; so it has a value in whatever `Arithmetic` knows
-the functions: SymPy's expressions, doubles, long doubles, balls, series, parities, degrees. The
-platforms of Herbie (Panchekha et al. 2015) list operations so, with a cost in place of a rounding.
+Nothing that follows from a row is repeated elsewhere. A kind means a function of SymPy, or is
+composed of other kinds by arithmetic that every number has; so it has a value in every `Arithmetic`
+that knows these functions: SymPy's expressions, doubles, long doubles, balls, series, parities,
+degrees. Herbie's platforms (Panchekha et al. 2015) list operations in the same way, with a cost in
+place of the rounding.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ Level = int
 
 
 class Rounding(Enum):
-    """By how much a result may be off: not at all, by half an ulp, by what a library leaves."""
+    """How much a result may be off: not at all, by half an ulp, or by a library's error."""
 
     EXACT = "exact"
     NEAREST = "to nearest"
@@ -33,7 +34,7 @@ class Rounding(Enum):
 
 @dataclass(frozen=True)
 class Infix:
-    """A sign between two operands, the left one taken first."""
+    """A sign between two operands, associating to the left."""
 
     sign: str
     level: Level
@@ -41,7 +42,7 @@ class Infix:
 
 @dataclass(frozen=True)
 class Pattern:
-    """A text for operands, in brackets if they bind less than `inner`, that binds as `outer`."""
+    """A text with operands, bracketed if they bind less than `inner`; it binds as `outer`."""
 
     text: str
     inner: Level
@@ -57,7 +58,7 @@ class Support:
 
 
 class AxisReduction(Support):
-    """A function of the support package that takes the last axes of an array together."""
+    """A function of the support package that reduces the last axes of an array."""
 
 
 # A plain string is the name of a function.
@@ -66,17 +67,17 @@ Spelling = Infix | Pattern | Support | str
 
 @dataclass(frozen=True)
 class Kind:
-    """What is known of a kind of operation.
+    """The definition of a kind of operation.
 
-    It means `sympy`, or what `meaning` puts together in an arithmetic; what acts on axes of arrays
-    has neither. With both, expressions have the first, and an arithmetic that does not know it the
-    second. `head` is its name in expressions, if that is no function of SymPy's own.
-    Languages that have no spelling take the function of `elementary`, formulas what it means.
-    Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads,
-    too, `javascript`, `structured_text` of IEC 61131-3 and `array_api`, by that standard (as
-    `python`, where its name follows from NumPy's). Programs of `fpcore` are read and bounded, by
-    `fptaylor` and `gappa`, too, as far as these have the operation. A view has `indices`: those of
-    the element that it shows, counted from the outermost axis. `coq` is a function of real numbers.
+    It means `sympy`, or what `meaning` composes in an arithmetic; kinds that act on axes of arrays
+    have neither. With both, expressions use the first, and an arithmetic without it the second.
+    `head` is its name in expressions, if that is not one of SymPy's own functions.
+    Languages without a spelling use the function of `elementary`; formulas use the meaning.
+    Formulas are `python` with NumPy (as `numpy`, if that is a name), `octave`, which MATLAB reads
+    too, `javascript`, `structured_text` of IEC 61131-3, and `array_api` by that standard (as
+    `python`, where its name follows from NumPy's). Programs in `fpcore` are read and bounded, also
+    by `fptaylor` and `gappa` where these have the operation. A view has `indices`: those of the
+    element that it shows, counted from the outermost axis. `coq` is a function of real numbers.
     """
 
     name: str
@@ -100,19 +101,19 @@ class Kind:
 
     @property
     def is_composed(self) -> bool:
-        """Say whether programs have the operations that it means in its place."""
+        """Return whether programs have the operations of its meaning instead."""
         return self.sympy is not None and self.meaning is not None and self.numpy is None
 
 
 class Arithmetic:
-    """What runs operations: by functions of its own, and all others by what they mean."""
+    """The operations on one type of number: some by own functions, all others by their meanings."""
 
     def __init__(self, own: Mapping[str, Callable[..., Any]]) -> None:
         self._own = MappingProxyType(dict(own))
         self._derived: dict[str, Callable[..., Any]] = {}
 
     def but(self, **own: Callable[..., Any]) -> Arithmetic:
-        """Return the arithmetic with other functions of its own."""
+        """Return the arithmetic with some of its own functions added or replaced."""
         return Arithmetic({**self._own, **own})
 
     def __contains__(self, kind: str) -> bool:
@@ -152,7 +153,7 @@ def _take_multiple_off(on: Arithmetic, a: Any, b: Any) -> Any:
 
 
 def _function(name: str, sympy: Callable[..., sp.Basic], short: str, fpcore: str = "") -> Kind:
-    """Return a function that libraries have and that is compiled from arithmetic."""
+    """Return a function that libraries have but compiled kernels compute by plain arithmetic."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}",
                 octave=short, javascript=f"Math.{short}",
                 structured_text=short.upper(), fpcore=fpcore, fptaylor=fpcore or None,
@@ -167,25 +168,25 @@ def _library(
     fpcore: str = "",
     coq: str = "",
 ) -> Kind:
-    """Return a function of the libraries of all languages; `text` is that of Structured Text."""
+    """Return a function of all languages' libraries; `text` is its name in Structured Text."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c,
                 octave=c, javascript=f"Math.{c}", structured_text=text,
                 fpcore=fpcore, fptaylor=fpcore or None, coq=coq)  # fmt: skip
 
 
 def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., Any]) -> Kind:
-    """Return a function that programs do not have: they have the operations that it means."""
+    """Return a function that programs replace by the operations of its meaning."""
     return Kind(name, LIBRARY, sympy, meaning)
 
 
 def _near_one(name: str, meaning: Callable[..., Any]) -> Kind:
-    """Return a library function that keeps the digits which cancel in its meaning."""
+    """Return a library function that keeps the digits that cancel in its meaning."""
     return Kind(name, LIBRARY, None, meaning, f"_np.{name}", f"_math.{name}", name, head=name,
                 octave=name, javascript=f"Math.{name}")  # fmt: skip
 
 
 def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any], point: str = "") -> Kind:
-    """Return an operation of arithmetic that all languages spell alike, Octave with a `point`."""
+    """Return an arithmetic operation that all languages spell alike, Octave with a `point`."""
     infix = Infix(sign, level)
     octave = Infix(f"{point}{sign}", level)
     return Kind(name, NEAREST, None, meaning, infix, infix, infix, "", infix, octave, infix, infix,
@@ -193,7 +194,7 @@ def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any], point
 
 
 def _compare(name: str, sign: str, sympy: Callable[..., sp.Basic], other: str = "") -> Kind:
-    """Return a comparison; `other` is its sign where = assigns nothing."""
+    """Return a comparison; `other` is its sign in languages where = does not assign."""
     infix = Infix(sign, COMPARISON)
     text = Infix(other or sign, COMPARISON)
     return Kind(name, EXACT, sympy, None, infix, infix, infix, "", infix, infix, infix, text)
@@ -205,7 +206,7 @@ def _join(name: str, signs: tuple[str, ...], level: Level, sympy: Callable[..., 
 
 
 def _view(name: str, pattern: str, level: Level, *indices: int) -> Kind:
-    """Return what shows an array otherwise: its axes are the indices of a sum."""
+    """Return a view of an array whose axes are the indices of a sum."""
     return Kind(name, EXACT, numpy=Pattern(pattern, level, ATOM), indices=indices)
 
 
@@ -226,7 +227,7 @@ _ROWS = (
          fpcore="-", fptaylor=Pattern("-({})", CHOICE, SIGN), gappa=_NEGATIVE),
     Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", f"{HELPER}fma",
          fpcore="fma", fptaylor=_FUSED, gappa=_FUSED),
-    # An fma whose product may as well be rounded, where that is cheaper.
+    # An fma whose product may also be rounded, where that is cheaper.
     Kind("multiply_add", NEAREST, None, lambda on, a, b, c: a * b + c,
          None, "_fma", f"{HELPER}multiply_add"),
     Kind("square", NEAREST, None, lambda on, a: a * a,
@@ -252,7 +253,7 @@ _ROWS = (
          python="_np.maximum", javascript="Math.max", coq="Rmax"),
     Kind("minimum", EXACT, sp.Min, None, "_np.minimum", javascript="Math.min", coq="Rmin"),
     Kind("copy", EXACT, None, _keep, fptaylor=_SAME, gappa=_SAME),
-    # Stands for a value that is off by an approximation.
+    # Stands for a value with an approximation error.
     Kind("approximate", EXACT, None, _keep),
     # Comparisons and choices.
     _compare("less", "<", sp.Lt),
@@ -300,7 +301,7 @@ _ROWS = (
     Kind("sinc", LIBRARY, sp.sinc,
          lambda on, a: on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a),
          Support("functions", "sinc")),
-    # Functions that are written out by others.
+    # Functions that are written by others.
     _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),
     _composed("csc", sp.csc, lambda on, a: on.number(1) / on.sin(a)),
     _composed("cot", sp.cot, lambda on, a: on.number(1) / on.tan(a)),
@@ -327,17 +328,17 @@ _ROWS = (
          Support("functions", "small_arctan"), head="SmallArctan"),
     Kind("tangent_quotient", LIBRARY, None, _tangent_quotient,
          Support("functions", "tangent_quotient"), head="TangentQuotient"),
-    # Two values whose quotient is a tangent; a factor that they share does not matter.
+    # Two values whose quotient is a tangent; a common factor does not matter.
     Kind("tangent_above", LIBRARY, None, lambda on, y: on.sin(y)),
     Kind("tangent_below", LIBRARY, None, lambda on, y: on.cos(y)),
     Kind("arctan_quotient", LIBRARY, None, lambda on, a, b: on.arctan(a / b)),
     Kind("single", NEAREST, None, _keep, Support("error_free", "single"), head="Single"),
     Kind("whole_turns_off", LIBRARY, None, _keep,
          Support("error_free", "whole_turns_off"), head="WholeTurnsOff"),
-    # A sum that cannot be negative, and the size of its terms.
+    # A sum that cannot be negative, given the size of its terms.
     Kind("nonnegative", EXACT, None, lambda on, total, size: total),
-    # Arrays with axes that are summed over: a vector along the first or the last of two axes, a
-    # matrix transposed, its diagonal; and what reduces these axes.
+    # Arrays with axes that are summed over: views of a vector along the first or the last of two
+    # axes, of a matrix transposed or its diagonal; and the kinds that reduce these axes.
     _view("along_first", "{}[..., :, _np.newaxis]", ATOM, 0),
     _view("along_last", "{}[..., _np.newaxis, :]", ATOM, 1),
     _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE, 1, 0),
@@ -348,7 +349,7 @@ _ROWS = (
     Kind("nonnegative_form", NEAREST, numpy=Support("functions", "nonnegative_form")),
 )  # fmt: skip
 KINDS: Mapping[str, Kind] = MappingProxyType({row.name: row for row in _ROWS})
-# The exact meaning of every kind, as expressions of SymPy.
+# The exact meaning of every kind in SymPy expressions.
 SYMBOLIC = Arithmetic(
     {"number": sp.Rational, **{k: row.sympy for k, row in KINDS.items() if row.sympy is not None}}
 )

@@ -1,8 +1,8 @@
 """Programs: single operations in a fixed order, between mathematics and syntax.
 
-What a form computes is decided here: which operation is rounded after which. Proofs, operation
+A program fixes what a form computes: which operation is rounded after which. Proofs, operation
 counts and every backend read programs; a printer only spells them. The code of a kernel is what a
-backend prints of it, and what reading its source must give back.
+backend prints, and what reading the printed source must return.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import sympy as sp
 
 from mechproof.programs.operations import VIEWS
 
-# An operand is a result, an input or a constant, by its name, or a number that is a double.
+# An operand is the name of a result, an input or a constant, or a number that is a double.
 Operand = str | int | float
-# Prefix of results that are used once and have no name of their own.
+# Prefix of unnamed results, which are used only once.
 TEMPORARY = "_"
 # Prefix of the functions that check conditions.
 CHECK = "_check_of_"
@@ -32,23 +32,24 @@ class Operation:
     operands: tuple[Operand, ...]
 
     def rename(self, names: Mapping[Operand, Operand]) -> Operation:
-        """Return the operation with other names for what it takes and what it makes."""
+        """Return the operation with its operands and its result renamed."""
         operands = tuple(names.get(operand, operand) for operand in self.operands)
         return Operation(str(names.get(self.result, self.result)), self.kind, operands)
 
 
 @dataclass(frozen=True)
 class Program:
-    """Inputs, operations each of which uses inputs and results before it, and outputs."""
+    """Inputs, operations that each use inputs and earlier results, and outputs."""
 
     inputs: tuple[str, ...]
     operations: tuple[Operation, ...]
     outputs: tuple[Operand, ...]
 
     def normal_form(self) -> Program:
-        """Return the program in the order of its text, temporaries numbered in that order.
+        """Return the program in the order of its printed text, temporaries numbered in that order.
 
-        Equal programs become equal objects: a temporary stands right before what uses it.
+        A temporary comes right before the operation that uses it, so equal programs become equal
+        objects.
         """
         operations = self._list_as_read()
         unnamed = (step.result for step in operations if is_unnamed(step.result))
@@ -56,7 +57,7 @@ class Program:
         return replace(self, operations=operations).rename(names)
 
     def rename(self, names: Mapping[Operand, Operand]) -> Program:
-        """Return the program with other names for its inputs, for results and for operands."""
+        """Return the program with inputs, results and operands renamed."""
         inputs = tuple(str(names.get(name, name)) for name in self.inputs)
         operations = tuple(step.rename(names) for step in self.operations)
         return Program(inputs, operations, tuple(names.get(o, o) for o in self.outputs))
@@ -65,7 +66,7 @@ class Program:
         made = {step.result: step for step in self.operations}
         listed: dict[Operand, Operation] = {}
         named = [result for result in made if not result.startswith(TEMPORARY)]
-        # A sum of many terms is nested deeper than Python calls.
+        # Not recursive: a sum of many terms is nested deeper than Python's limit on recursion.
         waiting: list[Operand] = [*reversed([*named, *self.outputs])]
         while waiting:
             operand = waiting[-1]
@@ -78,7 +79,7 @@ class Program:
         return tuple(listed.values())
 
     def count_operations(self) -> int:
-        """Count the operations that compute; views of arrays do not."""
+        """Count the operations, without views of arrays, which compute nothing."""
         return sum(step.kind not in VIEWS for step in spell_out_forms(self).operations)
 
 
@@ -86,12 +87,12 @@ NOTHING = Program((), (), ())
 
 
 def is_unnamed(operand: Operand) -> bool:
-    """Say whether an operand is the result of an operation that is used here alone."""
+    """Return whether an operand is an unnamed result, which is used only once."""
     return isinstance(operand, str) and operand.startswith(TEMPORARY)
 
 
 def unfuse(program: Program) -> Program:
-    """Return the program with a product and a sum for each fma, for languages that have none."""
+    """Return the program with a product and a sum for each fma, for languages without fma."""
     operations: list[Operation] = []
     for number, step in enumerate(program.operations, start=1):
         if step.kind == "fma":
@@ -106,8 +107,8 @@ def unfuse(program: Program) -> Program:
 def spell_out_forms(program: Program) -> Program:
     """Return the program with products and a sum for each quadratic form.
 
-    For a form that is never negative the size of its terms is known: |m[i, j]| <= sqrt(m[i, i]*m[j,
-    j]).
+    The terms of a form that is never negative have a known size:
+    |m[i, j]| <= sqrt(m[i, i]*m[j, j]).
     """
     operations: list[Operation] = []
 
@@ -140,11 +141,11 @@ CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
 
 @dataclass(frozen=True)
 class Stage:
-    """One form in two programs: what the parameters alone decide, and the rest, point by point.
+    """One form in two programs: one of the parameters alone, and one for the rest, point by point.
 
     `when` is the condition on the parameters under which the stage is taken. `prepare` takes the
-    `parameters` and gives what `evaluate` takes after the `running` components. Of an affine stage
-    `prepare` gives a matrix row by row, then a shift; there is nothing left to evaluate.
+    `parameters`; `evaluate` takes the `running` components and then the outputs of `prepare`. For
+    an affine stage, `prepare` outputs a matrix row by row, then a shift, and `evaluate` is None.
     """
 
     when: Program | None
@@ -155,37 +156,37 @@ class Stage:
 
     @property
     def affine(self) -> bool:
-        """Say whether the points are mapped by a matrix and a shift."""
+        """Return whether the points are mapped by a matrix and a shift."""
         return self.evaluate is None
 
     @property
     def prepares(self) -> bool:
-        """Say whether anything is computed from the parameters alone."""
+        """Return whether anything is computed from the parameters alone."""
         return bool(self.prepare.operations) or self.prepare.outputs != self.parameters
 
     @property
     def programs(self) -> tuple[Program, ...]:
-        """List what there is to compute."""
+        """Return the programs that the stage consists of."""
         return (self.prepare,) if self.evaluate is None else (self.prepare, self.evaluate)
 
     def change(self, change: Callable[[Program], Program]) -> Stage:
-        """Return the stage with each of its programs changed, but for one that computes nothing."""
+        """Return the stage with each program changed, except one that is `NOTHING`."""
         prepare = self.prepare if self.prepare is NOTHING else change(self.prepare)
         evaluate = None if self.evaluate is None else change(self.evaluate)
         return replace(self, prepare=prepare, evaluate=evaluate)
 
     def spell_out(self) -> Stage:
-        """Return the stage with a program in place of an affine map."""
+        """Return the stage with a program for the affine map, if it has one."""
         return replace(self, evaluate=self.evaluate or map_affinely(self.running))
 
 
 @dataclass(frozen=True)
 class KernelCode:
-    """The computing parts of a kernel.
+    """The programs of a kernel and how its arguments enter them.
 
-    `vectors` are arguments with components on their last axis, `indexed` those with axes that are
-    summed over, with their number. `inside` says where the parameters are in the domain; outside
-    the `masked` ones become NaN. `shape` is that of the result's last axes.
+    `vectors` are the arguments with components on their last axis, `indexed` those with axes that
+    are summed over, and the number of these. `inside` tests whether the parameters are in the
+    domain; outside it the `masked` ones become NaN. `shape` is that of the result's last axes.
     """
 
     name: str
@@ -200,20 +201,20 @@ class KernelCode:
 
     @property
     def axes(self) -> tuple[int, ...]:
-        """Count the last axes of each argument that do not broadcast; empty if all do."""
+        """Return the number of each argument's last axes that do not broadcast; empty if all do."""
         counts = {name: 1 for name, _ in self.vectors} | dict(self.indexed)
         return tuple(counts.get(name, 0) for name in self.arguments) if counts else ()
 
     @property
     def terms(self) -> tuple[str, ...]:
-        """List the arguments with terms of a sum that are asked whether they are inside."""
+        """Return the arguments with axes to sum over whose elements the domain tests."""
         steps = self.inside.operations if self.inside else ()
         asked = {operand for step in steps for operand in step.operands}
         return tuple(name for name, _ in self.indexed if name in asked)
 
     @property
     def names(self) -> frozenset[str]:
-        """Return the names of arguments, of their components and of what is computed."""
+        """Return the names of arguments, their components, inputs of programs and results."""
         programs = [p for stage in self.stages for p in stage.programs]
         programs += [self.inside] if self.inside else []
         parts = [self.arguments, *(names for _, names in self.vectors)]
@@ -222,12 +223,12 @@ class KernelCode:
         return frozenset(name for part in parts for name in part).union(steps)
 
     def count_operations(self) -> tuple[int, ...]:
-        """Count the operations of each stage."""
+        """Return the number of operations of each stage."""
         return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)
 
 
 def map_affinely(point: tuple[str, ...]) -> Program:
-    """Return the program of M @ p + v, M given row by row, then v."""
+    """Return the program of M @ p + v, with the inputs p, M row by row, then v."""
     count = len(point)
     rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))
     shift = tuple(f"v{i}" for i in range(count))
@@ -245,7 +246,7 @@ def map_affinely(point: tuple[str, ...]) -> Program:
 
 
 def name_functions(codes: Iterable[KernelCode]) -> dict[str, str]:
-    """Return the name to call for each function: the first one in the module that does the same."""
+    """Return the name to call for each function: that of the first equal one in the module."""
     first: dict[object, str] = {}
     return {
         name: first.setdefault(made, name) for code in codes for name, made in _list_functions(code)
@@ -253,13 +254,13 @@ def name_functions(codes: Iterable[KernelCode]) -> dict[str, str]:
 
 
 def list_suffixes(code: KernelCode) -> list[str]:
-    """List the suffixes of the functions of stages; the last is that of the kernel."""
+    """List the suffixes of the stages' functions; the last stage has that of the kernel."""
     others = [f"_{number}_of_{code.name}" for number in range(1, len(code.stages))]
     return [*others, f"_of_{code.name}"]
 
 
 def _list_functions(code: KernelCode) -> Iterator[tuple[str, object]]:
-    """List the functions of a kernel with all that their text is made of."""
+    """Yield the names of a kernel's functions, each with all that determines its text."""
     if code.inside:
         made = code.masked, code.terms, code.inside.operations, code.inside.outputs
         yield f"{CHECK}{code.name}", made

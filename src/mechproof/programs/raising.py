@@ -1,4 +1,4 @@
-"""Raising: in, the code of a kernel; out, the mathematics that it computes, for a proof."""
+"""Raising: in, the code of a kernel; out, the exact expressions it computes, for a proof."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from mechproof.programs.program import (
 )
 from mechproof.record import Quantity
 
-# Functions that do not change when whole turns are taken off their argument.
+# Functions whose values do not change when whole turns are taken off their argument.
 PERIODIC = ("sin", "cos")
 
 
 class WrittenForm:
-    """A form as its emitted source has it."""
+    """A form as raised from its emitted source: inputs, steps and outputs."""
 
     def __init__(self, quantity: Quantity, code: KernelCode, stage: Stage) -> None:
         axes = _Axes(quantity)
         self._inputs = _name_inputs(quantity, code, stage, axes)
         self._steps: dict[sp.Symbol, sp.Expr] = {}
-        # Expressions with steps inserted, by the steps that are kept: many statements keep the same
-        # ones.
+        # Steps with earlier steps inserted, by the steps that are kept: many statements keep the
+        # same ones.
         self._inserted: dict[tuple[sp.Symbol, ...], dict[sp.Symbol, sp.Expr]] = {}
         prepared = self._raise(stage.prepare, self._inputs, axes)
         evaluate = stage.evaluate or map_affinely(stage.running)
@@ -40,7 +40,7 @@ class WrittenForm:
         self._shape = code.shape
 
     def output(self, *kept: sp.Symbol) -> sp.Basic:
-        """Return the value with every step inserted but the kept ones."""
+        """Return the value with all steps inserted except the kept ones."""
         entries = [self._insert(output, kept) for output in self._outputs]
         if not self._shape:
             return entries[0]
@@ -48,14 +48,17 @@ class WrittenForm:
         return sp.ImmutableDenseMatrix(rows, columns, entries)
 
     def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
-        """Return the value of a step with every step before it inserted but the kept ones."""
+        """Return a step's value with all earlier steps inserted except the kept ones.
+
+        Raises ValueError if there is no step of that name.
+        """
         found = {str(symbol): value for symbol, value in self._steps.items()}
         if str(name) not in found:
             raise ValueError(f"no step {name} among {', '.join(found)}")
         return self._insert(found[str(name)], kept)
 
     def _insert(self, expression: sp.Expr, kept: tuple[sp.Symbol, ...]) -> sp.Expr:
-        """Replace each step in an expression by its value, or by the kept symbol of its name."""
+        """Replace each step in an expression by its value, or by the kept symbol of that name."""
         named = {str(symbol): symbol for symbol in kept}
         values = self._inserted.setdefault(kept, {})
         for step in expression.free_symbols & self._steps.keys() - values.keys():
@@ -65,7 +68,7 @@ class WrittenForm:
     def _raise(
         self, program: Program, known: Mapping[str, sp.Expr], axes: _Axes
     ) -> tuple[sp.Expr, ...]:
-        """Give every named result a symbol of its own, temporaries their values."""
+        """Return a program's outputs, recording named results as steps; temporaries are inlined."""
         _check_turns(program)
         values: dict[str, sp.Basic] = dict(known)
 
@@ -90,7 +93,7 @@ class WrittenForm:
 
 
 class _Axes:
-    """The axes of arrays as indices of the quantity's own sums."""
+    """The axes of arrays, as the indices of the quantity's sums."""
 
     kinds = ("sum", *VIEWS)
 
@@ -101,7 +104,7 @@ class _Axes:
         self._limits = {index: (index, *ends) for index, *ends in limits}
 
     def apply(self, kind: str, value: sp.Expr, operands: tuple[Operand, ...]) -> sp.Expr:
-        """Return the result of an operation on axes, for a value indexed by the last ones."""
+        """Return the result of an operation on axes for a value indexed by the last of them."""
         first, last = self.indices[0], self.indices[-1]
         if kind == "sum":
             count = int(operands[1])
@@ -119,7 +122,7 @@ class _Axes:
 def _name_inputs(
     quantity: Quantity, code: KernelCode, stage: Stage, axes: _Axes
 ) -> dict[str, sp.Expr]:
-    """Map the names in the source to the symbols of the quantity; arrays to their elements."""
+    """Map names in the source to symbols of the quantity, and arrays to their elements."""
     found: dict[str, sp.Expr] = {}
     counts, parts = dict(code.indexed), dict(code.vectors)
     for argument in quantity.arguments:
@@ -134,7 +137,7 @@ def _name_inputs(
 
 
 def _check_turns(program: Program) -> None:
-    """Require that an angle less whole turns goes into sines and cosines only."""
+    """Raise ValueError unless an angle less whole turns is used only by sines and cosines."""
     angles: set[Operand] = set()
     for operation in program.operations:
         uses = angles.intersection(operation.operands)

@@ -1,9 +1,9 @@
 """Derivatives: in, a paper; out, its scalar quantities' partial derivatives by every argument.
 
-The chain rule goes once backwards through the steps of what is shipped, as in reverse mode of
-automatic differentiation (Griewank and Walther 2008), in symbols: each step is differentiated by
-itself, and what several derivatives have in common is computed once. The shipped form is proved
-to be the definition, so that its derivatives are those of the definition.
+The chain rule passes once backwards through the steps of the shipped form, like the reverse mode of
+automatic differentiation (Griewank and Walther 2008), but in symbols: each step is differentiated
+separately, and parts common to several derivatives are computed once. The shipped form is proved
+equal to the definition, so that its derivatives are those of the definition.
 """
 
 from __future__ import annotations
@@ -27,18 +27,18 @@ CONDITIONING = Scale("its conditioning", sp.S.One)
 
 @remember_last(8)
 def differentiate(paper: Paper) -> Paper:
-    """Return the paper whose quantities are the derivatives of those that are scalar and wanted.
+    """Return the paper with the derivatives of its wanted scalar quantities as its quantities.
 
-    Each has the name of the quantity, and one entry for each argument, in their order.
+    Each keeps the name of the quantity and has one entry per argument, in their order.
     """
     quantities = tuple(_differentiate(quantity, paper) for quantity in select_wanted(paper))
     return replace(paper, rows=(), findings=(), one_pass=(), quantities=quantities)
 
 
 def select_wanted(paper: Paper) -> tuple[Quantity, ...]:
-    """Return the quantities whose derivatives are wanted, with no more than these are made from.
+    """Return the quantities whose derivatives are wanted, reduced to what these are derived from.
 
-    The definition of each is what the derivatives are those of, its form what they are computed by.
+    Each one's definition determines the derivatives, and its only form how they are computed.
     """
     quantities = paper.quantities if paper.derivatives else ()
     return tuple(_strip(q) for q in quantities if q.slopes and is_exact_scalar(q))
@@ -46,8 +46,8 @@ def select_wanted(paper: Paper) -> tuple[Quantity, ...]:
 
 def _strip(quantity: Quantity) -> Quantity:
     form = quantity.shipped[-1]
-    # If the row of the form says something else than that it is the definition, the form stands for
-    # itself.
+    # If the form's row claims anything other than equality with the definition, the form itself is
+    # differentiated.
     exact = quantity.definition if form.states is None else form.expression
     bare = Form(form.name, form.expression, form.rewrites)
     return replace(
@@ -56,7 +56,7 @@ def _strip(quantity: Quantity) -> Quantity:
 
 
 def is_exact_scalar(quantity: Quantity) -> bool:
-    """Return whether it is one number, computed without approximation from single numbers."""
+    """Return whether the quantity is one number, computed without approximation from numbers."""
     return bool(quantity.forms) and quantity.is_scalar and quantity.shipped[-1].bound is None
 
 
@@ -86,7 +86,7 @@ def chain(
     given: Given,
     tidy: Callable[[sp.Expr], sp.Expr] = lambda slope: slope,
 ) -> list[sp.Expr]:
-    """Return the derivatives by the symbols; `tidy` rewrites each one."""
+    """Return an expression's derivatives by symbols, each as shortened by `tidy` if that helps."""
 
     def differentiate_step(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         return _choose_shorter(_choose_sides(differentiate_part(value, symbol)), tidy)
@@ -108,9 +108,9 @@ def _choose_shorter(slope: sp.Expr, tidy: Callable[[sp.Expr], sp.Expr]) -> sp.Ex
 def _go_back(
     expression: sp.Expr, symbols: Sequence[sp.Symbol], given: Given
 ) -> sp.ImmutableDenseMatrix:
-    """Return the derivatives by the symbols as they are computed."""
+    """Return the derivatives by the symbols, in the form in which they are computed."""
     plain = _write_tangents(expression, symbols[0], given)
-    # A homogeneous expression stays so: written by cosines alone, it would cancel.
+    # A homogeneous expression must stay so: written in cosines alone, it would cancel.
     tidy = _factor if plain == expression else lambda slope: slope
     entries = chain(plain, symbols, given, tidy)
     # An argument that no derivative depends on still gives the result its shape and its NaN.
@@ -121,7 +121,7 @@ def _go_back(
 
 
 def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
-    """List the steps that an expression needs, each after those that it needs itself."""
+    """List the steps that an expression needs, each after the steps it depends on."""
     ordered: dict[sp.Symbol, None] = {}
 
     def visit(part: sp.Expr) -> None:
@@ -135,9 +135,9 @@ def _order_steps(expression: sp.Expr, given: Given) -> list[sp.Symbol]:
 
 
 def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp.Expr:
-    """Write the tangent of the running variable as sine over cosine: its poles would cancel.
+    """Write the tangent of the running variable as sine over cosine, as its poles would cancel.
 
-    An expression that is rational in it becomes homogeneous in both, whose squares add up to 1.
+    An expression that is rational in the tangent becomes homogeneous in both.
     """
     tangent, steps = sp.tan(running), _order_steps(expression, given)
     turning = {s: given[s] for s in steps if given[s].has(tangent)}
@@ -151,7 +151,7 @@ def _write_tangents(expression: sp.Expr, running: sp.Symbol, given: Given) -> sp
 
 def _homogenise(expression: sp.Expr) -> sp.Expr:
     if isinstance(expression, sp.atan2):
-        # Both sides may be multiplied by the square of the cosine, which is positive.
+        # Both sides may be multiplied by the cosine's square, which is positive.
         return sp.atan2(*(sp.expand(side * _C**2) for side in expression.args))
     if expression.is_Add:
         return sp.Add(*map(_homogenise, expression.args))
@@ -159,7 +159,7 @@ def _homogenise(expression: sp.Expr) -> sp.Expr:
 
 
 def _choose_sides(slope: sp.Expr) -> sp.Expr:
-    """Write the slopes of Max, Min and Abs by pieces: at a kink that of the greater side."""
+    """Write the slopes of Max, Min and Abs by pieces; at a kink, that of positive arguments."""
     slope = slope.replace(sp.Heaviside, lambda number, *_: _choose(number, sp.S.Zero))
     return slope.replace(sp.sign, lambda number: _choose(number, sp.S.NegativeOne))
 

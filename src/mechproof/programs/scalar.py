@@ -1,9 +1,9 @@
 """Scalar kernels: in, a paper; out, programs that compute one point at a time.
 
-The programs are those of the NumPy kernels with divisions put off; an affine stage becomes fused
-products, and the elementary functions that occur are programs of plain arithmetic themselves. Sums
-over axes of any length are calls of loops over their terms: what a loop adds, or finds true of
-every element, is a program of one element of each array.
+The programs are those of the NumPy kernels with deferred divisions; an affine stage becomes fused
+products, and the elementary functions that occur are themselves programs of plain arithmetic. Sums
+over axes of any length become calls of loops over their terms; the term that a loop adds up, or
+tests for every element, is a program of one element of each array.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from mechproof.programs.program import (
 from mechproof.record import Paper
 
 LOOPS = "ij"
-# The kind of operation that gives the rests in a printed sum.
+# The kind of operation that computes the rests of additions in a printed sum.
 ADDED = "total_rest"
 
 
 @dataclass(frozen=True)
 class TermLoop:
-    """A loop over one axis or two: the sum of a term, or whether it is true of every element.
+    """A loop over one or two axes: the sum of a term, or whether it is true for every element.
 
-    `elements` are what the term takes: a parameter and the indices of its element, none if the
-    parameter is a number. `arrays` are the parameters with axes.
+    `elements` are the inputs of the term: a parameter with the indices of its element, none if the
+    parameter is a number. `arrays` are the parameters that have axes.
     """
 
     name: str
@@ -50,9 +50,9 @@ class TermLoop:
 
 
 def fold_sums(kernels: Iterable[Kernel]) -> tuple[tuple[Kernel, ...], tuple[TermLoop, ...]]:
-    """Return kernels that call loops over terms, and the loops, each once.
+    """Return the kernels with calls of loops in place of sums, and the loops, each once.
 
-    Raises NotImplementedError for sums in the terms of sums.
+    Raises NotImplementedError for a sum within the terms of a sum.
     """
     kernels = tuple(kernels)
     folder = _Folder({name for kernel in kernels for name in kernel.code.names})
@@ -83,7 +83,7 @@ class _Folder:
         return replace(code, inside=inside, stages=tuple(stages))
 
     def _fold_program(self, given: Program, axes: Mapping[str, int]) -> Program:
-        """Replace the operations on elements by calls."""
+        """Return the program with operations on elements of arrays replaced by calls of loops."""
         program = spell_out_forms(given)
         spread: set[Operand] = set(axes)
         kept: list[Operation] = []
@@ -121,7 +121,7 @@ class _Folder:
 
 
 class _Term:
-    """Collects the operations from which one term is computed."""
+    """Collects the operations that compute one term of a sum."""
 
     def __init__(self, program: Program, axes: Mapping[str, int], spread: set[Operand]) -> None:
         self.axes = axes
@@ -133,7 +133,7 @@ class _Term:
         self._known: set[str] = set()
 
     def take(self, operand: Operand, view: str = "") -> Operand:
-        """Add the operations of an operand, seen by a view; return its name in the term."""
+        """Add the operations of an operand as seen through a view; return its name in the term."""
         if not isinstance(operand, str) or operand.startswith("#"):
             return operand
         step = self._made.get(operand)
@@ -166,9 +166,9 @@ class _Term:
 
 @dataclass(frozen=True)
 class ScalarArgument:
-    """An argument by the names of its components; `width` is 0 if it is no vector.
+    """An argument with the names of its components; `width` is 0 if it is no vector.
 
-    `axes` are those that are summed over.
+    `axes` is the number of its axes that are summed over.
     """
 
     name: str
@@ -181,12 +181,12 @@ class ScalarArgument:
 
 
 def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
-    """List the shipped kernels with programs that put divisions off."""
+    """List the shipped kernels of a paper, with programs that defer divisions."""
     return tuple(put_off_divisions(k) for k in list_functions(paper) if k.is_shipped)
 
 
 def put_off_divisions(kernel: Kernel) -> Kernel:
-    """Return a kernel with programs that compute one point at a time."""
+    """Return a kernel with deferred divisions, for loops that compute one point at a time."""
     stages = tuple(stage.change(defer_divisions) for stage in kernel.code.stages)
     adapted = replace(kernel, code=replace(kernel.code, stages=stages))
     components = {c for a in list_arguments(kernel) if a.width for c in a.components}
@@ -194,7 +194,7 @@ def put_off_divisions(kernel: Kernel) -> Kernel:
 
 
 def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
-    """Give steps that are called like a component another name."""
+    """Return the kernel with steps renamed that share a name with a component in `taken`."""
     made = {s.result for stage in kernel.code.stages for p in stage.programs for s in p.operations}
     known = kernel.code.names.union(taken)
     names: dict[Operand, str] = {n: unused_name(n, known) for n in sorted(made.intersection(taken))}
@@ -228,7 +228,7 @@ def list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
 def rename_components(
     code: KernelCode, arguments: tuple[ScalarArgument, ...]
 ) -> Mapping[Operand, str]:
-    """Name the components of vectors after their argument: a step may have the symbol, too."""
+    """Return names for vectors' components after their argument: steps may have the old names."""
     parts = {a.name: a.components for a in arguments}
     return {
         old: new
@@ -239,13 +239,13 @@ def rename_components(
 
 
 def name_domain(kernel: Kernel) -> Program | None:
-    """Return the program that says where the domain is, components named; None for all."""
+    """Return the program that tests the domain, with components renamed; None if all is inside."""
     inside = kernel.code.inside
     return inside and inside.rename(rename_components(kernel.code, list_arguments(kernel)))
 
 
 def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
-    """List the stages of a kernel by how the names of their functions end, components named."""
+    """List the stages with renamed components, each with the suffix of its functions' names."""
     renamed = rename_components(kernel.code, list_arguments(kernel))
     return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
 
@@ -269,7 +269,7 @@ def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> 
 
 
 def join_stage(stage: Stage) -> Program:
-    """Return one program of what a stage prepares and then evaluates."""
+    """Return one program that prepares and then evaluates a stage."""
     assert stage.evaluate is not None
     inputs = (*stage.running, *stage.parameters)
     before, after = stage.prepare, stage.evaluate
@@ -277,7 +277,7 @@ def join_stage(stage: Stage) -> Program:
     names: dict[Operand, Operand] = {}
     given: dict[Operand, Operand] = {}
     for name, value in zip(after.inputs[len(stage.running) :], before.outputs, strict=True):
-        # A result without a name may be used only once, but what is prepared may be used often.
+        # A result without a name may be used only once, but a prepared value may be used often.
         if is_unnamed(value) and value not in names:
             names[value] = unused_name(name, taken)
             taken.add(str(names[value]))

@@ -1,11 +1,11 @@
 """Steps: in, an expression; out, a name a reader would give it (`one_minus_e`, `sin_alpha`).
 
-What a paper names begins with no underscore. What emitted Python computes with begins with one:
-functions and modules are imported under such names, so that the two never meet.
+Names from a paper have no leading underscore. The functions and modules that emitted Python uses
+are imported under names with one, so that the two never clash.
 
-What occurs twice in an evaluation gets a name. What compilers do to programs (Cocke 1970) is done
-to expressions here, before an order of rounding is decided: so proofs, counts and every language
-see the same steps.
+Subexpressions that occur twice in an evaluation get names. Compilers eliminate them from programs
+(Cocke 1970); here it is done to expressions, before the order of roundings is fixed, so that
+proofs, counts and every language see the same steps.
 """
 
 from __future__ import annotations
@@ -25,26 +25,29 @@ from mechproof.record.parts import find_free, replace_parts
 NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four"}
 POWERS = {2: "squared", 3: "cubed"}
 LONGEST = 24
-# Names in the signatures of kernels, and those that the runtime looks up in their modules.
+# Names in the signatures of kernels, and names that the runtime looks up in their modules.
 PUBLIC = frozenset({"out"})
 PUBLIC_IN_MODULES = frozenset({"Any", "ArrayLike", "DOMAIN", "NDArray", "PUBLISHED", "annotations"})
-# Modules that emitted code imports under names of its own, and the names used by annotations.
+# Modules that emitted code imports under private names, and the names that annotations use.
 MODULES: Mapping[str, str] = MappingProxyType({"math": "_math", "numpy": "_np"})
 ANNOTATED: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"typing": ("Any",), "numpy.typing": ("ArrayLike", "NDArray")}
 )
-# Imports are sorted in this order, those of one package beside each other.
+# The order of imports by package; "" stands for the standard library.
 PACKAGES = ("", "numpy", "mechproof")
 
 
 def is_free(name: str, taken: Iterable[str] = PUBLIC) -> bool:
-    """Say whether a paper may give a name to a variable, or to a kernel."""
+    """Return whether a paper may give this name to a variable or a kernel."""
     is_name = name.isidentifier() and not iskeyword(name) and not name.startswith("_")
     return is_name and name not in taken
 
 
 def list_imports(text: str, names: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
-    """List the lines that import what a text uses, of modules and of `names` that modules have."""
+    """List the lines that import what a text of Python uses, with blank lines between packages.
+
+    `names` maps further modules to names they export, which are imported with an underscore.
+    """
     words = frozenset(re.findall(r"\w+", text))
     found = [(m, False, f"import {m} as {name}") for m, name in MODULES.items() if name in words]
     for module in dict.fromkeys((*ANNOTATED, *names)):
@@ -67,9 +70,9 @@ def _find_package(module: str) -> int:
 
 
 def suggest_name(expression: sp.Expr, otherwise: str = "term") -> str:
-    """Return a name that says what the expression is, or `otherwise` where that would be long."""
+    """Return a name that describes the expression, or `otherwise` if that would be too long."""
     name = _spell(expression)
-    # Parts without a word, such as fractions, are spelled as nothing and leave an underscore.
+    # Parts without a word, such as fractions, are spelled as "" and leave a stray underscore.
     readable = name.isidentifier() and name == name.strip("_")
     return name if readable and len(name) <= LONGEST else otherwise
 
@@ -102,7 +105,7 @@ def _spell_sum(expression: sp.Add) -> str:
 
 
 def sort_positive_first(term: sp.Expr) -> tuple[bool, bool, object]:
-    """Return a sort key of sums as people write them: 1 - e, R - A, 1 + t**2."""
+    """Return the key that sorts the terms of sums as people write them: 1 - e, R - A, 1 + t**2."""
     return (
         term.could_extract_minus_sign(),
         not term.is_Number,
@@ -113,8 +116,8 @@ def sort_positive_first(term: sp.Expr) -> tuple[bool, bool, object]:
 def share_subexpressions(evaluation: Evaluation) -> Evaluation:
     """Name every compound subexpression that occurs more than once, largest first.
 
-    Purely structural: sums and products are never regrouped, because a rewrite may have
-    chosen their order for accuracy.
+    Purely structural: sums and products are never regrouped, because a rewrite may have chosen
+    their grouping for accuracy.
     """
     shared: list[Step] = []
     for repeated in _list_repeated(evaluation):
@@ -127,7 +130,7 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
 
 
 def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
-    """List what is repeated, the largest first."""
+    """List the repeated subexpressions without a name, the largest first."""
     named = {value for _, value in evaluation.steps}
     seen: Counter[sp.Expr] = Counter()
     for value in evaluation.expressions():
@@ -137,9 +140,9 @@ def _list_repeated(evaluation: Evaluation) -> list[sp.Expr]:
 
 
 def _count(expression: sp.Expr, seen: Counter[sp.Expr], named: Container[sp.Expr]) -> None:
-    """Count compound nodes in order; what lies inside a Sum depends on its index and stays there.
+    """Count compound nodes in order, without those inside a Sum, which depend on its index.
 
-    Parts of an expression that repeats are smaller than it, and are not counted again.
+    Parts of a repeated expression are not counted again.
     """
     if isinstance(expression, sp.Sum) or _is_worth_naming(expression):
         seen[expression] += 1
@@ -156,7 +159,7 @@ def _count_operations(expression: sp.Expr) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def _is_worth_naming(expression: sp.Basic) -> bool:
-    """Accept sums, products, powers, functions; not -x, 1/x, 2*x, cheap where they stand."""
+    """Return whether an expression deserves a name; -x, 1/x and 2*x are cheap where they are."""
     if not isinstance(expression, sp.Expr) or expression.is_Atom or not find_free(expression):
         return False
     number, rest = expression.as_coeff_Mul()
@@ -166,7 +169,7 @@ def _is_worth_naming(expression: sp.Basic) -> bool:
 
 
 def _merge_steps(evaluation: Evaluation) -> Evaluation:
-    """Use a step wherever its value occurs outside it."""
+    """Replace other occurrences of a step's value by the step."""
     names = {value: symbol for symbol, value in evaluation.steps if not value.is_Atom}
     steps = [(symbol, _rebuild(value, names)) for symbol, value in evaluation.steps]
     output = map_entries(partial(replace_parts, values=names), evaluation.output)

@@ -1,8 +1,8 @@
-"""Tracing: in, a Python function of values; out, the operations that it does to them.
+"""Tracing: in, a Python function of values; out, the operations that it performs on them.
 
-Python itself decides what binds more, which name is meant and what is evaluated first. A function
-that asks whether a value is true is run once for each answer, where JAX (Frostig, Johnson and Leary
-2018), which traces likewise, refuses it.
+Python itself decides precedence, scope and the order of evaluation. A function that asks whether a
+value is true is run once for each answer; JAX (Frostig, Johnson and Leary 2018), which traces in
+the same way, refuses such functions.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from mechproof.programs.program import (
     is_unnamed,
 )
 
-# The most ways through a function: one with more decisions is no formula.
+# The most ways through a function: one with more is no formula.
 MOST_WAYS = 64
-# Text that some kinds need after their operands.
+# Texts that some kinds of operation take as an extra last operand.
 Last = Mapping[str, str]
 
 
 @dataclass(frozen=True)
 class RecordedFunction:
-    """A function: its parameters, what it is decorated by, defaults, every way through it."""
+    """A recorded function: parameters, decorator, defaults, and a program for each way through."""
 
     inputs: tuple[str, ...]
     decorator: str
@@ -40,7 +40,7 @@ class RecordedFunction:
 
 
 def _operate(kind: str, *, is_last: bool = False) -> Callable[[Value, Any], Value]:
-    """Return the method of an operator: its value is the first operand, or the last one."""
+    """Return an operator's method, which takes its value as the first or as the last operand."""
 
     def operate(value: Value, other: Any) -> Value:
         return value.apply(kind, *((other, value) if is_last else (value, other)))
@@ -49,7 +49,7 @@ def _operate(kind: str, *, is_last: bool = False) -> Callable[[Value, Any], Valu
 
 
 class Value:
-    """A number that a function computes: all that is done to it is recorded."""
+    """A number that a function computes, which records every operation on it."""
 
     def __init__(self, tape: Tape, operand: Any) -> None:
         self._tape, self.operand = tape, operand
@@ -102,7 +102,7 @@ class Value:
 
 
 class Tape:
-    """The record of what is done to values while one function after the other runs."""
+    """The record of operations on values, for one function after the other."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
@@ -110,15 +110,15 @@ class Tape:
         self._known: Iterator[bool] = iter(())
 
     def value(self, operand: float | str) -> Value:
-        """Return a number, or what a name stands for."""
+        """Return the value of a number or a name."""
         return Value(self, operand)
 
     def values(self, operands: Iterable[float | str]) -> tuple[Value, ...]:
-        """Return numbers, or what names stand for."""
+        """Return the values of numbers and names."""
         return tuple(map(self.value, operands))
 
     def record(self, kind: str, /, *given: Any, **named: Any) -> Value:
-        """Record an operation and return its result; what has a keyword comes last."""
+        """Record an operation and return its result; keyword operands come last, named."""
         for value in given if kind in KINDS else ():
             if callable(value):
                 raise ValueError(f"{show(value)} is decorated by _{kind}")
@@ -128,7 +128,7 @@ class Tape:
         return self.value(result)
 
     def assign(self, target: str | tuple[str, ...], value: Any) -> Any:
-        """Name the last result, or several; a value that is not a new result is copied."""
+        """Name the last result, or unpack it to several names; any other value is copied."""
         kind: str = "copy"
         operands: tuple[Operand, ...] = (show(value),)
         last = self.operations[-1] if self.operations else None
@@ -139,7 +139,7 @@ class Tape:
         return self.value(target) if isinstance(target, str) else self.values(target)
 
     def decide(self, condition: Value) -> bool:
-        """Answer whether a value is true: with the next known answer, or first with yes."""
+        """Return whether a value is true: by the next preset answer, or yes if there is none."""
         answer = next(self._known, None)
         if answer is None:
             self._answers.append(answer := True)
@@ -153,7 +153,10 @@ class Tape:
         decorator: str = "",
         defaults: tuple[Any, ...] = (),
     ) -> RecordedFunction:
-        """Record every way through a function, in the order of its answers."""
+        """Record every way through a function; ValueError for more than `MOST_WAYS`.
+
+        Decisions are first answered with yes, and the last one changes first.
+        """
         inputs, self._answers = tuple(inputs), []
         ways: list[Program] = []
         while len(ways) < MOST_WAYS:
@@ -168,7 +171,10 @@ class Tape:
         raise ValueError(f"there are more than {MOST_WAYS} ways through it")
 
     def replay(self, program: Program, last: Last = MappingProxyType({})) -> tuple[Any, ...]:
-        """Record a program and return its outputs."""
+        """Record the operations of a program and return its outputs.
+
+        `last` has extra last operands by kind.
+        """
         program, made = program.normal_form(), dict[Any, Any]()
         for step in program.operations:
             given = [made.get(operand, operand) for operand in step.operands]
@@ -180,7 +186,7 @@ class Tape:
 
 
 def show(value: Any) -> Any:
-    """Return a value as an operand: a name, a number, or several of them."""
+    """Return a value as an operand: a name, a number or a tuple; ValueError for anything else."""
     match value:
         case Value():
             return value.operand
@@ -199,7 +205,7 @@ def show(value: Any) -> Any:
     raise ValueError(f"{value!r} is no value")
 
 
-# Indices that show a vector along the first or the last of two axes.
+# Indices that view a vector along the first or the last of two axes.
 VIEWS = {
     show((..., slice(None), None)): "along_first",
     show((..., None, slice(None))): "along_last",
@@ -210,9 +216,9 @@ def _record(kind: str, first: Value, *others: Any) -> Value:
     return first.apply(kind, first, *others)
 
 
-# Every kind is recorded as one operation, whatever it is composed of.
+# Every kind is recorded as a single operation, even if its meaning is composed of others.
 TRACED = Arithmetic({kind: partial(_record, kind) for kind in KINDS})
-# Operations of the machine, as functions to write bodies with.
+# Operations of the machine, as functions for the bodies of traced functions.
 Recorded = Callable[..., Value]
 fma: Recorded = TRACED["fma"]
 multiply_add: Recorded = TRACED["multiply_add"]
@@ -229,15 +235,16 @@ def copysign(a: Value | float, b: Value) -> Value:
     return b.apply("copysign", a, b)
 
 
-# The longest polynomial, in terms, that is computed by Horner's rule as a single chain.
+# The most terms of a polynomial that is computed by Horner's rule in a single chain.
 CHAIN = 7
 
 
 def polynomial(z: Value, coefficients: Sequence[float]) -> Value | float:
     """Return the polynomial in z, coefficients lowest power first, by Horner's rule.
 
-    A long one is put into pairs, which do not wait for each other, in powers of z**2: half the
-    steps for one product, where halving on (Estrin 1960) takes a product for each power.
+    In a long one, pairs of terms are joined first, independently of each other, into a polynomial
+    in z**2. One product halves the chain; halving it again and again (Estrin 1960) would take a
+    product each time.
     """
     terms: list[Value | float] = list(coefficients)
     if len(terms) > CHAIN:
@@ -251,13 +258,13 @@ def polynomial(z: Value, coefficients: Sequence[float]) -> Value | float:
 
 
 def trace(function: Callable[..., Value], inputs: tuple[str, ...]) -> Program:
-    """Return the program of a function of values; what is used more than once gets a name."""
+    """Return the program of a function without decisions; results used more than once get names."""
     (program,) = Tape().run(function, inputs).ways
     return _name_repeated(program).normal_form()
 
 
 def _name_repeated(program: Program) -> Program:
-    """Name what is used more than once: a temporary stands where it is used, and only there."""
+    """Name the results that are used more than once, as a temporary may be used only once."""
     uses = Counter(o for step in program.operations for o in step.operands)
     repeated = [s.result for s in program.operations if uses[s.result] > 1]
     names: dict[Operand, str] = {name: f"v{i}" for i, name in enumerate(repeated, start=1)}

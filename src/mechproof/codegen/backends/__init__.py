@@ -1,1 +1,1 @@
-"""Backends: in, a paper; out, source in one language. Templates hold layout only."""
+"""Backends: in, a paper; out, source in one language. Templates only have the layout."""

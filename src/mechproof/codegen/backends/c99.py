@@ -1,8 +1,8 @@
-"""C backend: in, a paper; out, a header and a source that need <math.h> alone.
+"""C backend: in, a paper; out, a header and a source that need only <math.h>.
 
-Elementary functions of angles are right up to the format's largest angle. Whether all angles of a
-point are below it, is a program of its own: that part of the stage which computes them. It is asked
-of a block of points before a loop without a branch.
+Elementary functions of angles are valid up to the format's largest angle. A separate program, the
+part of the stage that computes angles, tests whether all angles of a point are below it. It runs
+over a block of points before a loop without a branch.
 """
 
 from __future__ import annotations
@@ -55,16 +55,16 @@ ACCURACY = {
     True: "Accuracy is the largest error that a search has found, in floats as they are computed "
     "here, where no value on the way leaves their range; eps = 2**-23.",
 }
-# Contracted operations round otherwise than was proved; errno and traps would keep loops from being
-# vectorised.
+# Contracted operations would round differently from the proofs; errno and traps would keep loops
+# from being vectorised.
 FLAGS = "-std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
 COMMAND = f"cc {FLAGS}"
-# Number of points whose angles are tested together: the numbers of a block stay in the first cache.
+# Number of points whose angles are tested together: a block's numbers stay in the L1 cache.
 BLOCK = 512
-# Operations that are helper functions of the source, beside the elementary functions.
+# Operations that are helper functions of the source, besides the elementary functions.
 MACHINE = tuple(kind for kind, row in KINDS.items() if row.c == f"{HELPER}{kind}")
-# Names of C's headers: with a file of the same name beside it, <math.h>, or what it includes, may
-# be that file.
+# Names of C's headers: if a file next to the source has such a name, <math.h> or a header that it
+# includes may resolve to it.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
     "limits", "locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit",
@@ -74,15 +74,15 @@ HEADERS = frozenset({
 
 
 def render_makefile() -> str:
-    """Return the makefile that makes a shared library of each source beside it."""
+    """Return the makefile that builds a shared library from each source in its folder."""
     return render_template("Makefile.jinja", {"flags": FLAGS})
 
 
 def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[str, str]:
     """Render the header and the source of a paper's kernels by their file names.
 
-    They compute in float if `errors` says of each how far off it was found then.
-    Raises ValueError if there is no kernel, or the names of two kernels meet in C.
+    They compute in float if `errors` is given: for each kernel, a text on the errors found in
+    float. Raises ValueError if there is no kernel, or if the names of two kernels clash in C.
     """
     kernels = list_scalars(paper)
     if not kernels:
@@ -95,7 +95,7 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
 
 
 def render_c_derivatives(paper: Paper) -> dict[str, str]:
-    """Render the header and the source of the derivatives of a paper's kernels likewise.
+    """Render the header and the source of a paper's derivatives by their file names.
 
     Raises ValueError if there are none.
     """
@@ -108,7 +108,7 @@ def render_c_derivatives(paper: Paper) -> dict[str, str]:
 
 
 def render_c_formula(kernel: Kernel, paper: Paper) -> str:
-    """Render one kernel as a source that includes no header of its own."""
+    """Render one kernel as a single source, with its header inlined."""
     about = paper.reference, ACCURACY[False], paper.system
     notes = {kernel.name: _describe(kernel, paper, None)}
     scalar = put_off_divisions(kernel)
@@ -117,7 +117,7 @@ def render_c_formula(kernel: Kernel, paper: Paper) -> str:
 
 
 def _describe(kernel: Kernel, paper: Paper, errors: Mapping[str, str] | None) -> list[str]:
-    """Write the lines of a function: formula, domain, accuracy, source."""
+    """Return the lines of a function's comment: formula, domain, accuracy, source."""
     quantity = kernel.quantity
     told = tell_bound(quantity) if errors is None else errors[kernel.name]
     notes = [f"Domain: {describe_domain(quantity, paper)}."]
@@ -138,9 +138,10 @@ def render_c_kernels(
 ) -> dict[str, str]:
     """Render the header and the source of kernels whose names begin with that of the file.
 
-    `about` says what they are, how accurate, and of which system, `notes` what each computes.
-    Raises ValueError where the names of files or functions meet, NotImplementedError for what has
-    no pass in common. Kernels of different domains are called one after the other, point by point.
+    `about` has the citation, the accuracy and the system; `notes` has lines on each kernel, by
+    name. Raises ValueError if names of files or functions clash, NotImplementedError for kernels
+    that cannot be computed in one pass. In a pass, kernels with different domains are called one
+    after the other for each point.
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
@@ -198,7 +199,7 @@ def render_c_kernels(
 
 
 def _render_source(data: Mapping[str, object], form: Format, language: Syntax, far: Syntax) -> str:
-    """Render a source with the helpers that it calls, and no others."""
+    """Render a source with only the helpers that it calls."""
 
     def render(helpers: Sequence[str]) -> str:
         texts = [write_elementary(k, form, language, far) for k in BODIES if k in helpers]
@@ -206,7 +207,7 @@ def _render_source(data: Mapping[str, object], form: Format, language: Syntax, f
 
     known = (*BODIES, *MACHINE)
     called: tuple[str, ...] = ()
-    # Repeated until nothing is added: helpers of kernels, then those that these call.
+    # Repeated until nothing is added: helpers of kernels, then helpers of helpers.
     while True:
         text = render(called)
         found = tuple(kind for kind in known if f"{language.calls[kind]}(" in text)
@@ -216,7 +217,7 @@ def _render_source(data: Mapping[str, object], form: Format, language: Syntax, f
 
 
 def _write(kernel: Kernel, syntax: Syntax, form: Format, angles: dict[str, Angles]) -> ScalarKernel:
-    """Write a kernel, and the tests of its angles by the names of its stages."""
+    """Return a kernel's text, and add the tests of its angles to `angles` by stage name."""
     text = write_scalar(kernel, syntax)
     if text.sums:
         return text
@@ -248,7 +249,7 @@ LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)
 
 @dataclass(frozen=True)
 class Angles:
-    """The text of the test whether all angles of a point are near, and what it has prepared."""
+    """The text of the test of whether all angles of a point are near, and the inputs it takes."""
 
     running: tuple[str, ...]
     prepared: tuple[tuple[str, int], ...]
@@ -257,7 +258,7 @@ class Angles:
 
 
 def find_angles(stage: Stage, largest: float) -> Program | None:
-    """Return the program that says whether all angles of a point are near; None without angles."""
+    """Return the program that tests whether all angles of a point are near; None without angles."""
     assert stage.evaluate is not None
     program, steps = stage.evaluate, list(stage.evaluate.operations)
     angles = dict.fromkeys(step.operands[0] for step in steps if step.kind in LIMITED)
@@ -273,7 +274,7 @@ def find_angles(stage: Stage, largest: float) -> Program | None:
 
 
 def _keep_needed(program: Program) -> Program:
-    """Return a program without the operations and inputs that no output needs."""
+    """Return the program without operations and inputs that no output needs."""
     needed: set[Operand] = set(program.outputs)
     kept: list[Operation] = []
     for step in reversed(program.operations):
@@ -287,7 +288,10 @@ def _keep_needed(program: Program) -> Program:
 def ask_first(
     written: ScalarStage, stage: Stage, largest: float, syntax: Syntax
 ) -> tuple[ScalarStage, Angles | None]:
-    """Return a stage whose functions are told whether angles may be far, and the test of them."""
+    """Return a stage whose functions take a flag for far angles, and the test that sets it.
+
+    Without angles, the stage is unchanged and there is no test.
+    """
     program = find_angles(stage, largest)
     if program is None:
         return written, None

@@ -1,6 +1,6 @@
 """Reading of compiled modules: what each of their functions is meant to do.
 
-It is stated in Python and recorded like the emitted source: both have to do the same.
+This is stated in Python and recorded like the emitted source; both records must agree.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def read_compiled(source: str) -> dict[str, RecordedFunction]:
 
 
 def _offer(on: Tape) -> dict[str, Any]:
-    """Return types, decorators, and functions that are no operations though named like one."""
+    """Return stand-ins for types and decorators, and for functions named like an operation."""
     return {
         "every": partial(on.record, "_every"),
         **{name: partial(on.record, name) for name in ("element", "float64", "type")},
@@ -49,7 +49,7 @@ def _name_point(public: str, spread: object = False) -> str:
 
 
 def mean_elementary() -> Meant:
-    """State what the module of the elementary functions does."""
+    """Yield what the functions of the module of elementary functions are meant to do."""
     on = Tape()
     yield "", on.run(partial(_hold, on, BODIES, _LARGEST=DOUBLE.largest))
     for kind, (_, inputs, far) in BODIES.items():
@@ -58,7 +58,7 @@ def mean_elementary() -> Meant:
 
 
 def _hold(on: Tape, public: Iterable[str], **held: float) -> None:
-    """Assign the public names and whatever else a module holds besides functions."""
+    """Assign `__all__` and whatever else a module defines besides functions."""
     for name, value in {"__all__": [*map(repr, sorted(public, key=str.lower))], **held}.items():
         on.assign(name, value)
 
@@ -79,9 +79,9 @@ def _compute_elementary(on: Tape, kind: str, *given: Value) -> Any:
 def mean_compiled(
     kernels: Iterable[Kernel], written: Sequence[ScalarKernel], reductions: Iterable[TermLoop]
 ) -> Meant:
-    """Return what a module is meant to have: kernels without their loops over terms, and these.
+    """Yield what a module's functions are meant to do: loops over terms, and kernels without them.
 
-    `written` are the texts of the kernels in their order, then of those that call several.
+    `written` are the texts of the kernels, in their order, then of those that call several.
     """
     on = Tape()
     yield "", on.run(lambda: _hold_loops(on, written))
@@ -107,7 +107,7 @@ def _list_exact(text: ScalarKernel) -> tuple[str, ...]:
 
 
 def _mean_forms(on: Tape, kernel: Kernel, text: ScalarKernel) -> Meant:
-    """State what is computed from numbers: by each form, and which form a value comes from."""
+    """Yield the functions of numbers: each form but the last, and the value by the form taken."""
     for (name, form), part in zip(list_stages(kernel)[:-1], text.stages, strict=False):
         does = partial(_compute, on, join_stage(form))
         yield f"_form{name}", on.run(does, (*part.needed, *_list_exact(text)), SCALAR)
@@ -127,7 +127,7 @@ def _compute_value(on: Tape, kernel: Kernel, text: ScalarKernel, *_: Value) -> A
 
 
 def _mean_ways_in(on: Tape, text: ScalarKernel) -> Meant:
-    """State how a value is reached: from numbers, from arrays, and by what callers see."""
+    """Yield the functions that lead to a value: of members, sums, arrays, and the public ones."""
     name, names = text.name, tuple(argument.name for argument in text.arguments)
     defaults = tuple(a.default for a in text.arguments if a.default is not None)
     if text.members:
@@ -151,7 +151,7 @@ def _compute_members(on: Tape, text: ScalarKernel, *_: Value) -> tuple[Value, ..
 
 
 def _add_up(on: Tape, text: ScalarKernel, at: Value, terms: Value, *_: Value) -> Any:
-    """Return what the value of a kernel takes: numbers, and loops over terms."""
+    """Return the inputs of a kernel's value: numbers, and results of loops over terms."""
     elements = [on.record("element", number, at) for number in text.numbers]
     loops = [_loop(on, row, called, at, terms) for row, called in enumerate(text.loops)]
     return *elements, *loops
@@ -190,14 +190,14 @@ def _fill_sets(on: Tape, text: ScalarKernel, out: Value, terms: Value, *given: V
 def _index(
     text: ScalarKernel, given: Iterable[Value], key: Callable[[int], Any]
 ) -> Iterator[Value]:
-    """Yield numbers as they are given, and those of vectors by their places."""
+    """Yield plain numbers as given, and the components of vectors by their places."""
     for value, argument in zip(given, text.arguments, strict=True):
         for place in range(len(argument.components)):
             yield value[key(place)] if argument.width else value
 
 
 def _enter(on: Tape, text: ScalarKernel, *given: Value) -> Value:
-    """Do what the function that callers see does: plain numbers and rows go the short way."""
+    """Perform the public function: plain numbers and rows take a shortcut."""
     *values, out = given
     first, *others = values
     loops, is_float = on.value(f"_loops_of_{text.name}"), "float"
@@ -214,7 +214,7 @@ def _enter(on: Tape, text: ScalarKernel, *given: Value) -> Value:
 
 
 def _compute_point(on: Tape, text: ScalarKernel, *given: Value) -> Value:
-    """Do what compiled functions call instead."""
+    """Perform the function that compiled callers call in place of the public one."""
     value, exact = f"_value_of_{text.name}", (True,) * text.limited
     if not text.sums:
         numbers = _index(text, given, int)

@@ -1,8 +1,8 @@
-"""Kernels apart from their loops over terms: in, folded kernels; out, what they make of numbers.
+"""Kernels without their loops over terms: in, folded kernels; out, kernels of the loops' results.
 
-So the loops of many sets of terms can run beside each other. A thousand sets and more then take a
-half to a tenth of the time that they take one after another, of few terms least; up to ten sets, or
-of two axes of forty terms that differ from set to set, nothing is gained.
+So the loops of many sets of terms can run side by side. A thousand or more sets then take between a
+half and a tenth of the time that they take one after another, least if they have few terms; nothing
+is gained for up to ten sets, or for two axes of forty terms that differ from set to set.
 """
 
 from __future__ import annotations
@@ -18,12 +18,15 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Operand, Operation, Program, Stage
 from mechproof.programs.scalar import LOOPS, TermLoop, list_arguments, rename_components
 
-# Name of the argument that says which set a term is in, besides its indices.
+# Name of the argument for the set that a term is in; indices of the term follow it.
 AT = "_at"
 
 
 def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tuple[Operation, ...]]:
-    """Return a kernel that takes the results of the named loops, and the calls of these loops."""
+    """Return a kernel that takes the named loops' results as inputs, and the calls of these loops.
+
+    The calls have the names of vectors' components in scalar kernels.
+    """
     if not kernel.code.indexed:
         return kernel, ()
     calls: dict[str, Operation] = {}
@@ -42,7 +45,7 @@ def _take_out_of_stage(stage: Stage, names: Collection[str], calls: dict[str, Op
 
 
 def _take_out(program: Program, names: Collection[str], calls: dict[str, Operation]) -> Program:
-    """Replace calls by inputs with the names of their loops; each loop is called in one way."""
+    """Replace calls by inputs named after their loops, as each loop is called in only one way."""
     found = {step.result: step for step in program.operations if step.kind in names}
     calls |= {step.kind: step for step in found.values()}
     kinds: dict[Operand, str] = {result: step.kind for result, step in found.items()}
@@ -56,7 +59,7 @@ def _take_out(program: Program, names: Collection[str], calls: dict[str, Operati
 def describe_calls(
     calls: Iterable[Operation], reductions: Iterable[TermLoop], syntax: Syntax
 ) -> tuple[LoopCall, ...]:
-    """Describe calls of loops for what is printed of them."""
+    """Return the data to print of calls of loops."""
     named = {found.name: found for found in reductions}
     return tuple(
         LoopCall(
@@ -71,7 +74,7 @@ def describe_calls(
 
 
 def name_elements(found: TermLoop) -> TermLoop:
-    """Return a loop whose term has no input with the name of one of the loop's own arguments."""
+    """Return a loop with inputs of its term renamed that share a name with a loop's argument."""
     used = {step.result for step in found.term.operations}.union(found.term.inputs)
     given: dict[Operand, str] = {
         name: unused_name(f"{name}_term", used) for name in found.parameters
@@ -80,7 +83,7 @@ def name_elements(found: TermLoop) -> TermLoop:
 
 
 def mean_term(found: TermLoop) -> Program:
-    """Return what a compiled function computes for one term: its elements, then the term."""
+    """Return the program of a compiled function for one term: its elements, then the term."""
     taken = tuple(
         Operation(name, "element", (given, AT, *(f"{AT[0]}{LOOPS[i]}" for i in indices)))
         for name, (given, indices) in zip(found.term.inputs, found.elements, strict=True)

@@ -44,7 +44,7 @@ _FRAME = (
     *("take_terms", "vector"),
 )
 _MACHINE = (kind for kind, row in KINDS.items() if row.numba == f"_{kind}")
-# For numba float() of a float32 stays a float32; float64() does not.
+# In numba, float() of a float32 stays a float32; float64() does not.
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "builtins": ("abs", "float", "type"),
@@ -53,7 +53,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "mechproof.kernels.compiled": ("elementary",),
     }
 )
-# Lines of docstrings of modules that have sums.
+# Docstring lines of modules that have sums.
 SUMMED = (
     "Sums over axes are added in the order of the index, with the rest of every addition. Many",
     "sets of terms are added beside each other, each to the bits that it has alone. Inside",
@@ -64,7 +64,7 @@ SUMMED = (
 
 
 def render_compiled(paper: Paper) -> dict[str, str]:
-    """Render the compiled kernels of a paper by the name of their file, empty without any."""
+    """Render the compiled kernels of a paper by file name; empty if it has none."""
     kernels = list_scalars(paper)
     if not kernels:
         return {}
@@ -91,7 +91,7 @@ def _describe(system: str) -> tuple[str, ...]:
     )
 
 
-# Folder of the functions that are compiled into kernels beside the elementary functions.
+# Folder of the functions that are compiled into kernels besides the elementary functions.
 SUPPORT_FOLDER = Path(__file__).parents[2] / "compiled_support"
 # Docstring of the module of the elementary functions.
 ELEMENTARY_TEXT = (
@@ -118,18 +118,18 @@ def render_elementary() -> str:
 
 
 def check_elementary(source: str) -> None:
-    """Read the elementary functions back; `TranslationError` where one is not its program."""
+    """Read the elementary functions back; `TranslationError` if one is not its program."""
     compare(dict(mean_elementary()), read_compiled(source))
 
 
 @cache
 def _hash_elementary() -> str:
-    """Hash the functions that kernels call: cached modules with another hash are compiled anew."""
+    """Hash the elementary functions; printed in modules so that a change compiles these anew."""
     return sha256(render_elementary().encode()).hexdigest()[:12]
 
 
 def _name_support() -> str:
-    """Name the support by its hash, for the same reason."""
+    """Return the text that names the support by its hash, for the same reason."""
     texts = [path.read_text(encoding="utf-8") for path in sorted(SUPPORT_FOLDER.glob("*.py"))]
     digest = sha256("".join(texts).encode()).hexdigest()
     return f"Compiled with them: `compiled_support` {digest[:12]}."
@@ -158,7 +158,7 @@ def render_scalars(
 def _write(
     kernels: Iterable[Kernel], together: Iterable[OnePass]
 ) -> tuple[list[Kernel], list[ScalarKernel], tuple[TermLoop, ...], Syntax]:
-    """Return kernels apart from the loops that they call, all texts, these loops, the language."""
+    """Return the kernels without their loops, all kernels' texts, the loops, and the language."""
     folded, found = fold_sums(kernels)
     reductions = tuple(map(name_elements, found))
     language = extend_syntax(NUMBA, reductions, "_")
@@ -173,6 +173,6 @@ def _write(
 
 
 def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[OnePass]) -> None:
-    """Read the functions of a module back; `TranslationError` where one is not its program."""
+    """Read the functions of a module back; `TranslationError` if one is not its program."""
     taken, written, reductions, _ = _write(kernels, together)
     compare(dict(mean_compiled(taken, written, reductions)), read_compiled(source))

@@ -1,4 +1,4 @@
-"""NumPy backend: in, a paper; out, formatted source. Templates hold layout only."""
+"""NumPy backend: in, a paper; out, formatted source. Templates only have the layout."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ FORMS = "forms/"
 # Folder of the partial derivatives of kernels.
 DERIVATIVES = "derivatives/"
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
-# Names that modules use besides those of operations.
+# Names that modules import besides those of operations.
 _FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
@@ -55,7 +55,7 @@ _FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 
 def _list_support() -> dict[str, tuple[str, ...]]:
-    """Return what modules import: names of modules of the support package, and of Python."""
+    """Return the names that modules may import, by module of the support package or of Python."""
     offered = {module: {*names} for module, names in _FRAME.items()}
     for row in KINDS.values():
         if isinstance(row.numpy, Support):
@@ -69,7 +69,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(_list_support())
 
 @dataclass(frozen=True)
 class StageText:
-    """What is printed of a stage."""
+    """The texts of a stage."""
 
     form: Form
     operations: int
@@ -82,7 +82,7 @@ class StageText:
 
 @dataclass(frozen=True)
 class KernelText:
-    """What is printed of a kernel."""
+    """The texts of a kernel."""
 
     kernel: Kernel
     docstring: tuple[str, ...]
@@ -91,7 +91,7 @@ class KernelText:
 
 
 def render_modules(paper: Paper) -> dict[str, str]:
-    """Render the modules of a paper by their file names: its kernels, and their rival forms."""
+    """Render the modules of a paper by file name: its kernels, and their rival forms."""
     system, functions = paper.system, list_functions(paper)
     kernels = tuple(f for f in functions if f.is_shipped)
     rivals = tuple(f for f in functions if not f.is_shipped)
@@ -107,7 +107,7 @@ def render_modules(paper: Paper) -> dict[str, str]:
 
 
 def render_derivatives(paper: Paper) -> dict[str, str]:
-    """Render the module of the derivatives of a paper's scalar quantities, if it has any."""
+    """Render the module of a paper's derivatives by file name; empty if it has none."""
     kernels = list_functions(differentiate(paper))
     if not kernels:
         return {}
@@ -129,7 +129,7 @@ def _render(
 
 
 def tell_origin(system: str) -> tuple[str, ...]:
-    """Say what a module is generated from, and how."""
+    """Return the lines that state what a module is generated from, and how."""
     return (
         f"Generated from the derivation {system} with SymPy {sp.__version__}.",
         REGENERATED,
@@ -156,7 +156,7 @@ def render_module(
 def render_python(
     name: str, data: Mapping[str, object], support: Mapping[str, tuple[str, ...]]
 ) -> str:
-    """Lay out and format a module, with imports of the support functions that its body uses."""
+    """Render and format a Python module, importing the support functions that its body uses."""
     body = render_template(name, {**data, "imports": []})
     imports = list_imports(body, support)
     kind = name.removesuffix(".jinja")
@@ -164,7 +164,7 @@ def render_python(
 
 
 def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
-    """Write the texts of a kernel."""
+    """Return the texts of a kernel."""
     code, stages = kernel.code, []
     counts = kernel.forms, code.stages, code.count_operations(), list_suffixes(code)
     for form, stage, operations, suffix in zip(*counts, strict=True):
@@ -184,26 +184,26 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
 
 
 def render_init(text: str) -> str:
-    """Render the file of a package."""
+    """Render the `__init__.py` of a package."""
     docstring = text, "", REGENERATED
     return format_source(render_template("numpy_package.py.jinja", {"docstring": docstring}))
 
 
 def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLATES) -> str:
-    """Lay out `data`; ValueError unless the template asks for exactly its keys."""
+    """Render a template with `data`; ValueError unless the template uses exactly its keys."""
     asked, template = _compile((folder / name).read_text(encoding="utf-8"), folder)
     if asked != set(data):
         raise ValueError(f"template {name}: asks for {sorted(asked)}, is given {sorted(data)}")
     return template.render(data)
 
 
-# Cached, because few templates lay out all modules of all papers.
+# Cached, because a few templates render all modules of all papers.
 @lru_cache(maxsize=32)
 def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
-    """Return what a template asks for, and the template, which may include others of its folder."""
+    """Return the names a template uses, and the template, which may include others beside it."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder),
-        # Without this, a misspelt name would be laid out as nothing.
+        # Without this, a misspelt name would be rendered as nothing.
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -216,7 +216,7 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
 
 
 def tidy(text: str, after: tuple[str, ...] = ("",)) -> str:
-    """Strip blanks from the ends of lines; keep single blank lines, and only after such endings."""
+    """Strip trailing blanks; keep only single blank lines, after lines that end as in `after`."""
     lines = [""]
     for line in map(str.rstrip, text.splitlines()):
         if line or (lines[-1] and lines[-1].endswith(after)):
@@ -225,17 +225,17 @@ def tidy(text: str, after: tuple[str, ...] = ("",)) -> str:
 
 
 def format_source(source: str, name: str = "kernel.py") -> str:
-    """Format with `ruff format`, which only `regenerate` needs: without it the text stays as it is.
+    """Format Python source with `ruff format`; unchanged if ruff, needed only here, is missing.
 
-    The end of the name says whether it is a module or a stub.
-    ValueError with the formatter's message if it is not Python.
+    The suffix of the name tells a module from a stub.
+    Raises ValueError with the formatter's message if the source is not Python.
     """
     if find_spec("ruff") is None:
         return source
-    # Runs ruff's program directly: a Python that only starts it takes ten times as long.
+    # Runs ruff's binary directly: starting it through Python takes ten times as long.
     from ruff.__main__ import find_ruff_bin
 
-    # Isolated, because settings in a folder of the user would change the bytes.
+    # Isolated, because settings in one of the user's folders would change the bytes.
     command = [find_ruff_bin(), "format", "--isolated", "--target-version", "py311"]
     arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", name, "-"]
     done = subprocess.run(
@@ -248,7 +248,7 @@ def format_source(source: str, name: str = "kernel.py") -> str:
 
 @dataclass(frozen=True)
 class ConditionText:
-    """What is printed of a condition: the parameter to blame, words, names, the test."""
+    """The texts of a condition: the parameter to blame, a description, names, the test."""
 
     parameter: str
     text: str
@@ -259,7 +259,7 @@ class ConditionText:
 
 @dataclass(frozen=True)
 class SizesText:
-    """What is printed of published sizes: doubles, with limit deviations where there are any."""
+    """Published sizes to print: doubles, with limit deviations if there are any."""
 
     source: str
     sizes: tuple[tuple[str, float | tuple[float, float, float]], ...]
@@ -301,7 +301,7 @@ def _describe(
 
 
 def list_sizes(paper: Paper) -> tuple[SizesText, ...]:
-    """List the published sizes by the names of the kernels' arguments, rounded once."""
+    """List the published sizes by the names of the kernels' arguments, rounded once to doubles."""
     spelled = {s: n for q in paper.quantities for s, n in input_names(q).items()}
     return tuple(
         SizesText(

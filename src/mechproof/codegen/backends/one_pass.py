@@ -1,7 +1,7 @@
-"""One pass: in, kernels of the same arguments; out, one that computes what they share once.
+"""One pass: in, kernels of the same arguments; out, one that computes shared values once.
 
-Compilers of C do not see what functions that may call a library have in common, so the programs
-are joined. Every operation has the operands it had, and every result its bits.
+C compilers do not find common subexpressions of functions that may call a library, so the programs
+are joined. Every operation keeps its operands, and every result its bits.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from mechproof.programs.program import (
 )
 from mechproof.programs.scalar import list_arguments, list_stages, name_domain
 
-# Name of a value that several programs share and that had none.
+# Name of an unnamed value that several programs share.
 SHARED = "shared"
 
 
 def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
-    """Return the kernel whose outputs are those of several, each one number.
+    """Return the kernel with the outputs of several kernels, each of which returns one number.
 
-    Raises NotImplementedError for kernels of different domains.
+    Raises NotImplementedError for kernels with different domains.
     """
     first = kernels[0]
     if wrong := list_unlike_domains(kernels):
         raise NotImplementedError(f"{name}: {wrong} have another domain than {first.name!r}")
     arguments = list_arguments(first)
-    # Each kernel chooses its form by itself, so that any two forms may meet.
+    # Each kernel chooses its form independently, so any two forms may occur together.
     stages = product(*([stage for _, stage in list_stages(kernel)] for kernel in kernels))
     components = [argument.components for argument in arguments]
     code = KernelCode(
@@ -56,13 +56,13 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
 
 
 def list_unlike_domains(kernels: Sequence[Kernel]) -> list[str]:
-    """List the kernels that have another domain than the first one."""
+    """List the names of kernels whose domain differs from that of the first."""
     first, *others = kernels
     return [kernel.name for kernel in others if name_domain(kernel) != name_domain(first)]
 
 
 def _join_stages(stages: Sequence[Stage], components: Sequence[tuple[str, ...]]) -> Stage:
-    """Join one stage of each kernel: taken where all of these are and no earlier combination is."""
+    """Join one stage of each kernel, taken where all of them are and no earlier combination is."""
     point, *sizes = components
     running = tuple(n for n in point if any(n in stage.running for stage in stages))
     names = [name for argument in sizes for name in argument]
@@ -100,7 +100,7 @@ def _join_conditions(conditions: Sequence[Program]) -> Program | None:
 
 
 class _Values:
-    """Operations of several programs, each value once."""
+    """Collects the operations of several programs, computing each value once."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._taken = set(names)
@@ -108,7 +108,7 @@ class _Values:
         self._called: dict[str, str] = {}
 
     def name(self, wanted: str) -> str:
-        """Return a name that nothing has yet."""
+        """Return a name that is not taken, and take it."""
         found = unused_name(wanted, self._taken)
         self._taken.add(found)
         return found
@@ -116,7 +116,7 @@ class _Values:
     def add(
         self, program: Program, given: Mapping[Operand, Operand] | None = None
     ) -> list[Operand]:
-        """Add the operations that are new, and return the outputs."""
+        """Add a program's new operations and return its outputs; `given` replaces its inputs."""
         values = dict(given or {})
         for step in program.operations:
             operands = tuple(values.get(o, o) for o in step.operands)
@@ -124,10 +124,10 @@ class _Values:
         return [values.get(output, output) for output in program.outputs]
 
     def apply(self, kind: str, operands: tuple[Operand, ...], wanted: str) -> Operand:
-        """Return the value of an operation, called as wanted where it is new."""
+        """Return the result of an operation, named as wanted if it is new."""
         if kind == "copy":
             return operands[0]
-        # As text, because 0 and -0 are equal as keys.
+        # As text, because 0 and -0 would be equal keys.
         key = repr((kind, operands))
         if key not in self._made:
             name = f"{TEMPORARY}{len(self._made)}" if is_unnamed(wanted) else self.name(wanted)
@@ -138,7 +138,7 @@ class _Values:
         return made
 
     def finish(self, inputs: tuple[str, ...], outputs: Iterable[Operand]) -> Program:
-        """Return the program of the operations, all that is used twice with a name."""
+        """Return the program of all operations, naming results that are used more than once."""
         outputs = tuple(outputs)
         used = Counter(o for step in self._made.values() for o in step.operands) + Counter(outputs)
         names: dict[Operand, str] = {

@@ -1,4 +1,4 @@
-"""Texts of scalar kernels: in, kernels that compute one point; out, what backends print of them."""
+"""Texts of scalar kernels: in, kernels that compute one point; out, their texts for backends."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
 
 @dataclass(frozen=True)
 class ScalarStage:
-    """A form: when it is taken, what is prepared once and what is evaluated for each point.
+    """The texts of a form: when it is taken, what is prepared once, and what is run for each point.
 
-    `whole` is both at once, of all that is `needed`.
+    `whole` does both at once, from the inputs `needed`.
     """
 
     name: str
@@ -49,7 +49,7 @@ class ScalarStage:
 
 @dataclass(frozen=True)
 class LoopCall:
-    """The call of a loop over terms, of one axis or two, whose value a kernel takes."""
+    """The call of a loop over terms, of one or two axes, whose value a kernel takes."""
 
     name: str
     arguments: tuple[str, ...]
@@ -60,10 +60,10 @@ class LoopCall:
 
 @dataclass(frozen=True)
 class ScalarKernel:
-    """What is printed of a kernel; `checked` are the components that its domain restricts.
+    """The texts of a kernel; `checked` are the components that its domain restricts.
 
-    `members` are kernels that this one calls, each for a result of its own, `loops` are the loops
-    over terms whose values it is given.
+    `members` are kernels that this one calls, each for one of its results; `loops` are the loops
+    over terms whose values it takes.
     """
 
     name: str
@@ -80,7 +80,7 @@ class ScalarKernel:
 
     @property
     def outs(self) -> tuple[str, ...]:
-        """Return the names of the arrays that results are stored in."""
+        """Return the names of the arrays in which results are stored."""
         return tuple(f"{STORED}{m.name}" for m in self.members) or ("out",)
 
     @property
@@ -90,28 +90,28 @@ class ScalarKernel:
 
     @property
     def count(self) -> int:
-        """Return how many numbers a result has."""
+        """Return the number of components of a result; 1 for a plain number."""
         return prod(self.shape)
 
     @property
     def width(self) -> int:
-        """Return how many numbers a result has; 0 for a plain number, which is no array."""
+        """Return the number of components of a result; 0 for a plain number, which is no array."""
         return self.count if self.shape else 0
 
     @property
     def is_plain(self) -> bool:
-        """Say whether the kernel computes one number from plain numbers."""
+        """Return whether the kernel computes one number from plain numbers."""
         vectors = any(argument.width for argument in self.arguments)
         return not (self.sums or self.shape or self.members or vectors)
 
     @property
     def sums(self) -> bool:
-        """Say whether arguments have axes that are summed over."""
+        """Return whether any argument has axes that are summed over."""
         return any(a.axes for a in self.arguments)
 
     @property
     def depends(self) -> bool:
-        """Say whether the domain depends on the point, too."""
+        """Return whether the domain also restricts the point, the first argument."""
         return not self.checked.isdisjoint(self.arguments[0].components)
 
     @property
@@ -128,7 +128,7 @@ class ScalarKernel:
 
     @property
     def taken_names(self) -> tuple[str, ...]:
-        """Return the numbers that a value is computed from, then the loops."""
+        """Return the names of the inputs of a value: numbers, then loops."""
         return (*self.numbers, *(called.name for called in self.loops))
 
     @property
@@ -138,11 +138,11 @@ class ScalarKernel:
 
     @property
     def targets(self) -> tuple[str, ...]:
-        """Return the names of the arrays that the loop of a compiled module fills."""
+        """Return the names of the arrays that the loop in a compiled module fills."""
         return tuple(f"_out_of_{m.name}" for m in self.members) or ("_out",)
 
     def index(self, pattern: str) -> tuple[str, ...]:
-        """Return numbers as they are given, those of vectors by a pattern with their places."""
+        """Return the text of each component: plain numbers' names, vectors' places by a pattern."""
         return tuple(
             argument.name + (pattern.format(place) if argument.width else "")
             for argument in self.arguments
@@ -151,7 +151,7 @@ class ScalarKernel:
 
     @property
     def sizes(self) -> tuple[str, ...]:
-        """Return how many elements a set has of each component: one, or one for each index."""
+        """Return texts for the number of elements of each component in a set of terms."""
         return tuple(
             " * ".join(["_terms"] * a.axes) or "1" for a in self.arguments for _ in a.components
         )
@@ -159,7 +159,7 @@ class ScalarKernel:
 
 @dataclass(frozen=True)
 class FunctionText:
-    """What is printed of an elementary function; `far` is its value beyond `largest`."""
+    """The texts of an elementary function; `far` is its value beyond the format's `largest`."""
 
     kind: str
     meaning: str
@@ -171,7 +171,7 @@ class FunctionText:
 
 
 def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = ()) -> ScalarKernel:
-    """Write the texts of a kernel in a language; `loops` are those whose values it takes."""
+    """Return the texts of a kernel in a language; `loops` are those whose values it takes."""
     code = kernel.code
     arguments = list_arguments(kernel)
     inside = name_domain(kernel) or NOTHING
@@ -198,9 +198,9 @@ def _spell(names: Iterable[str], syntax: Syntax) -> tuple[str, ...]:
 
 
 def join_scalars(together: OnePass, kernels: Sequence[ScalarKernel]) -> ScalarKernel:
-    """Return the kernel that computes several in one pass.
+    """Return the texts of a kernel that computes several in one pass.
 
-    Raises NotImplementedError for sums and for results with components.
+    Raises NotImplementedError for kernels with sums or with results that have components.
     """
     named = {kernel.name: kernel for kernel in kernels}
     members = tuple(named[name] for name in together.quantities)
@@ -237,21 +237,21 @@ def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
 
 
 def list_booleans(program: Program, syntax: Syntax) -> frozenset[str]:
-    """List the results that are true or false."""
+    """Return the names of results that are true or false."""
     return frozenset(
         syntax.name(step.result) for step in program.operations if step.kind in BOOLEAN
     )
 
 
 def is_limited(program: Program, syntax: Syntax) -> bool:
-    """Say whether a program takes functions that are right up to the largest angle only."""
+    """Return whether a program calls functions that are valid only up to the largest angle."""
     return any(syntax.last.get(step.kind) == EXACT for step in program.operations)
 
 
 def extend_syntax(
     syntax: Syntax, reductions: Iterable[TermLoop], prefix: str, count: str = ""
 ) -> Syntax:
-    """Return a language with the loops over terms; `count` is put after their arguments."""
+    """Return a language with calls of the loops over terms; `count` is an extra last argument."""
     for found in reductions:
         last = count or (EXACT if is_limited(found.term, syntax) else "")
         syntax = replace(
@@ -264,7 +264,7 @@ def extend_syntax(
 
 @dataclass(frozen=True)
 class ReductionText:
-    """What is printed of a loop over terms."""
+    """The texts of a loop over terms."""
 
     loop: TermLoop
     text: ProgramText
@@ -273,7 +273,7 @@ class ReductionText:
 
 
 def write_reduction(found: TermLoop, syntax: Syntax) -> ReductionText:
-    """Write the text of a term."""
+    """Return the texts of a loop over terms in a language."""
     spelled = replace(
         found,
         parameters=_spell(found.parameters, syntax),
@@ -290,7 +290,7 @@ def write_reduction(found: TermLoop, syntax: Syntax) -> ReductionText:
 
 
 def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> FunctionText:
-    """Write an elementary function; `far` spells the functions of the language's own library."""
+    """Return an elementary function's texts; `far` spells functions of the language's library."""
     function: Function = build(kind, form)
     return FunctionText(
         kind,

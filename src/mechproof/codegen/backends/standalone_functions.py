@@ -1,7 +1,7 @@
-"""Formulas in other languages: in, a kernel; out, a function that needs nothing beside it.
+"""Formulas in other languages: in, a kernel; out, a function that needs no other file.
 
-The programs are those of the NumPy kernels. Functions come from the language's own library; what it
-has not, above all the rests that roundings leave, are functions beside the formula.
+The programs are those of the NumPy kernels. Functions come from the language's own library; those
+it lacks, above all the rests of roundings, become helper functions next to the formula.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ WIDTH = 92
 
 @dataclass(frozen=True)
 class Helper:
-    """A function beside a formula."""
+    """A helper function next to a formula."""
 
     name: str
     inputs: tuple[str, ...]
@@ -48,9 +48,10 @@ class Helper:
 
 @dataclass(frozen=True)
 class FormulaText:
-    """What is printed of a formula; `helpers` are in the order in which they call each other.
+    """The texts of a formula; each of the `helpers` comes before those that call it.
 
-    `choices` are the steps that choose among the forms, where they are computed for arrays.
+    `choices` are the steps that choose among forms, for languages of arrays. `written` are helpers
+    whose text no program expresses.
     """
 
     name: str
@@ -62,7 +63,7 @@ class FormulaText:
 
 
 def render_scripts(paper: Paper, language: str) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Render the kernels of a paper in a language by file names; say which cannot be, and why."""
+    """Render a paper's kernels in a language by file name; also return why others cannot be."""
     script, files, refused = SCRIPTS[language], dict[str, str](), []
     texts = []
     for kernel in list_functions(paper):
@@ -125,7 +126,7 @@ def _write(kernel: Kernel, paper: Paper, script: Script) -> FormulaText:
 
 
 def _spell_out(kernel: Kernel, script: Script) -> Kernel:
-    """Return a kernel with calls of functions that mean a single operation replaced by it."""
+    """Return a kernel with functions that mean a single operation replaced by that operation."""
 
     def change(program: Program) -> Program:
         return replace(program, operations=tuple(_mean(s, script) for s in program.operations))
@@ -149,7 +150,7 @@ def _mean(step: Operation, script: Script) -> Operation:
 
 
 def _refuse(kernel: Kernel, script: Script) -> None:
-    """Raise NotImplementedError for sums over axes, and for components where there are none."""
+    """Raise NotImplementedError for sums over axes, and for vectors if the language has none."""
     if kernel.code.indexed:
         raise NotImplementedError("formulas take no axes of any length to sum over")
     if (kernel.code.vectors or kernel.code.shape) and not script.takes_vectors:
@@ -157,7 +158,7 @@ def _refuse(kernel: Kernel, script: Script) -> None:
 
 
 def _refuse_rests(kernel: Kernel, paper: Paper, script: Script) -> None:
-    """Raise NotImplementedError for rests of roundings, naming the forms that do without."""
+    """Raise NotImplementedError for rests of roundings, naming rivals that do without them."""
     if lost := _list_rests(kernel, script):
         others = [
             f"{paper.system}.{other.name}"
@@ -188,7 +189,7 @@ def _join(stage: Stage, script: Script) -> Program:
 
 
 def _make_arrays(program: Program, script: Script) -> Program:
-    """Return the program with arrays for the numbers that functions take."""
+    """Return the program with numbers that are passed to functions turned into arrays."""
     numbers, operations = set[Operand](), list[Operation]()
     for step in program.operations:
         given = [o for o in step.operands if o in numbers or not str(o).isidentifier()]
@@ -212,7 +213,7 @@ def _write_stages(kernel: Kernel, syntax: Syntax, script: Script) -> ScalarKerne
 
 
 def _name_apart(kernel: Kernel, script: Script) -> Callable[[str], str]:
-    """Return the spelling of names, which differ by more than capitals where these do not count."""
+    """Return the function that spells names, distinct beyond case if the language ignores case."""
     if not script.ignores_case:
         return script.syntax.name
     taken, names = set(STRUCTURED_TEXT_WORDS.split()), dict[str, str]()
@@ -227,7 +228,7 @@ def _name_apart(kernel: Kernel, script: Script) -> Callable[[str], str]:
 
 
 def _choose(kernel: Kernel, syntax: Syntax) -> tuple[tuple[str, str], ...]:
-    """Write the steps that choose a form for each element, and NaN outside the domain."""
+    """Return the steps that choose a form for each element, and NaN outside the domain."""
     steps: list[tuple[str, str]] = []
     stages = list_stages(kernel)
     for place in range(len(join_stage(stages[0][1]).outputs)):
@@ -262,7 +263,7 @@ def _append(
 
 
 def _find_helpers(kinds: Iterable[str], script: Script) -> tuple[str, ...]:
-    """List the helpers that a formula needs, each before those that call it."""
+    """Return the kinds of helpers that a formula needs, each before those that call it."""
     found: dict[str, None] = {}
 
     def visit(kind: str) -> None:
@@ -289,7 +290,7 @@ def _write_helper(kind: str, script: Script) -> Helper:
 
 
 def describe_formula(kernel: Kernel, paper: Paper) -> Iterable[str]:
-    """Say what a formula computes, of what, where, how exactly, and whence it is."""
+    """Yield comment lines on a formula: result, arguments, units, domain, accuracy and source."""
     quantity = kernel.quantity
     yield from textwrap.wrap(quantity.summary, WIDTH)
     yield from show_formula(kernel, paper)

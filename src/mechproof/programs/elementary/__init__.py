@@ -1,6 +1,6 @@
 """Elementary functions in plain arithmetic: in, a float format; out, programs.
 
-`formats` has what depends on the format, `fits` approximates on an interval and encloses what that
-is off by, and `function_programs` says how each function is computed. Compiled backends print these
-programs. Of those that kernels with charts call, `roundoff` proves what they are off by.
+`formats` has the parameters of each format, `fits` approximates on an interval and encloses the
+error, and `function_programs` defines how each function is computed. Compiled backends print these
+programs. `roundoff` proves error bounds for those that kernels with charts call.
 """

@@ -1,7 +1,7 @@
-"""Rational approximations: in, a function and an interval; out, coefficients and their bound.
+"""Rational approximations: in, a function and an interval; out, coefficients and an error bound.
 
-Coefficients are interpolated in balls, and are the same numbers on every machine. What they are off
-by is enclosed over the whole interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison,
+Coefficients are interpolated in balls, and are the same numbers on every machine. The error is
+enclosed over the whole interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison,
 Joldes and Lauter 2011) certifies the supremum norm of an error in the same way, with intervals for
 coefficients.
 """
@@ -20,16 +20,16 @@ from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import Series, list_terms, working
 from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 
-# Share by which intervals reach beyond their ends, to cover the rounding of reduced arguments.
+# Share by which intervals are extended, to cover the rounding of reduced arguments.
 MARGIN = 2.0**-20
 PIECES, ORDER, BITS = 64, 24, 256
-# Precision, in bits, of the linear equations between powers up to a hundred of numbers near each
-# other: far fewer bits are lost.
+# Precision, in bits, of linear equations in powers, up to a hundred, of numbers close to each
+# other: they lose far fewer bits.
 FIT_BITS = 600
-# A piece is halved while the rest of its Taylor polynomial exceeds this share of the value.
+# A piece is halved while the remainder of its Taylor polynomial exceeds this share of the value.
 REST = 2.0**-70
-# Centre of the variable (x - TAIL)/(x + TAIL): near this value polynomials in it need the fewest
-# terms.
+# Centre of the variable (x - TAIL)/(x + TAIL): near this value, polynomials in the variable need
+# the fewest terms.
 TAIL = 6.0
 # Beyond this argument the tail of the normal law is less than the smallest double.
 TAIL_END = 39.0
@@ -46,11 +46,11 @@ class Rational:
 
 @dataclass(frozen=True)
 class Target:
-    """A function to be approximated in the square of its argument, from 0 to `last`.
+    """A function to approximate in the square of its argument, from 0 to `last`.
 
-    `sides` are the whole function by a quotient and the true one, both multiplied by what makes
-    them polynomials and entire or analytic. With a `first`, it is approximated in the argument
-    itself, from there.
+    `sides` computes the whole function by a quotient, and the true one, both times a factor that
+    makes the one a polynomial and the other entire or analytic. With a `first`, the function is
+    approximated in the argument itself, from there on.
     """
 
     meaning: str
@@ -59,7 +59,7 @@ class Target:
     first: float | None = None
 
     def value(self, place: Ball) -> Ball:
-        """Return the value that the quotient must have at a place for both sides to be equal."""
+        """Return the value that the quotient must have at a place to make both sides equal."""
         argument = arb_series([place if self.first is not None else place.sqrt()])
         zero, true = self.sides(Rational((0.0,), (1.0,)), argument)
         one, _ = self.sides(Rational((1.0,), (1.0,)), argument)
@@ -143,11 +143,12 @@ def interpolate(
     powers: range,
     below: range = range(0),
 ) -> list[Ball]:
-    """Return coefficients of powers, then of those in a denominator beside a 1.
+    """Return the coefficients of `powers`, then of those `below`, in a denominator 1 + ....
 
-    The nodes are Chebyshev's of the interval; for odd powers, the positive ones. The largest error
-    is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15), which
-    the exchange of Remez (1934) would find. The working precision is to be `FIT_BITS`.
+    The nodes are the interval's Chebyshev nodes; for odd powers, the positive ones. The largest
+    error is then within a small factor of that of the best quotient (Trefethen 2013, chapter 15),
+    which the exchange algorithm of Remez (1934) would find. The caller sets the working precision
+    to `FIT_BITS`.
     """
     count = len(powers) + len(below)
     angles = (arb.pi() * (2 * i + 1) / (2 * count * powers.step) for i in range(count))
@@ -162,18 +163,21 @@ def interpolate(
 
 
 def expand_about(middle: Ball, reach: Ball) -> tuple[Series, Series]:
-    """Return the variable as series in shares of a reach: about the middle, and over all within."""
+    """Return the variable as series in shares of `reach`: at the middle, and over the interval."""
     return arb_series([middle, reach]), arb_series([arb(middle, reach.upper()), reach])
 
 
 def bound_terms(near: Series, far: Series) -> list[Ball]:
-    """Bound the terms of a result from both series: the last one holds over the interval."""
+    """Bound the terms of a result, given both series; the last bound is over the interval."""
     return [*map(abs, list_terms(near)[:-1]), abs(list_terms(far)[-1])]
 
 
 @cache
 def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
-    """Interpolate by a quotient of polynomials of degrees `above` and `below`."""
+    """Interpolate a target by a quotient of polynomials of degrees `above` and `below`.
+
+    The coefficients are rounded to the format; that of the constant below is 1.
+    """
     with working(1, FIT_BITS):
         first = arb(target.first or 0)
         half = (target.last() - first) / 2
@@ -185,7 +189,7 @@ def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Ra
 
 @cache
 def enclose(target: Target, fitted: Rational) -> float:
-    """Bound the relative error of the function, from 0 to the end of its interval."""
+    """Bound the relative error of the fitted function over the target's interval."""
     with working(ORDER + 1, BITS):
         last = target.last().sqrt() if target.first is None else target.last()
         first = arb(target.first or 0)
@@ -195,9 +199,9 @@ def enclose(target: Target, fitted: Rational) -> float:
 
 
 def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[float]:
-    """Bound the relative difference of two sides on intervals.
+    """Bound the relative difference of two sides on each interval; infinite if it has no bound.
 
-    Both may vanish with their argument at 0, where an interval begins.
+    Both may vanish with their argument at 0, if an interval begins there.
     """
     bounds = []
     with working(ORDER + 1, BITS):
@@ -214,7 +218,7 @@ def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
     vanishes = [bool(side[0] == 0) for side in near]
     if vanishes[1] and not vanishes[0]:
         return math.inf
-    # If both sides vanish at 0, the second term is the first that counts.
+    # If both sides vanish at 0, only the terms from the second on count.
     first = 1 if vanishes[1] else 0
     off = bound_terms(near[0] - near[1], far[0] - far[1])[first:]
     leading, *others = bound_terms(near[1], far[1])[first:]

@@ -1,4 +1,4 @@
-"""Float formats: how many bits, how far angles are reduced, which degrees suffice."""
+"""Float formats: their bits, the range of angle reduction, and the degrees that suffice."""
 
 from __future__ import annotations
 
@@ -15,10 +15,9 @@ DIGITS = 60
 class Format:
     """A binary format with `bits` of precision and the degrees of its approximations.
 
-    `largest` is the largest angle, and the reciprocal of `margin` the number of quarter turns,
-    up to which the reduction is as exact as an ulp of what it leaves. Numbers from
-    2**`exponent` on are infinite. Sums of squares keep their digits where the larger number is
-    between 2**-`squares` and 2**`squares`; any other has its own there times 2**`scale` or
+    `largest` is the largest angle up to which the reduced angle is exact to an ulp of itself.
+    Numbers from 2**`exponent` on are infinite. Sums of squares keep their digits where the larger
+    number is between 2**-`squares` and 2**`squares`; any other is first scaled by 2**`scale` or
     2**-`scale`.
     """
 
@@ -38,16 +37,16 @@ class Format:
 
     @property
     def eps(self) -> float:
-        """Return the spacing of the numbers next to 1."""
+        """Return the spacing of the format's numbers just above 1."""
         return float(2.0 ** (1 - self.bits))
 
     def round(self, value: mp.mpf) -> float:
-        """Return the number of the format that is next to `value`."""
+        """Return the number of the format nearest to `value`."""
         with mp.workprec(self.bits):
             return float(+value)
 
     def split(self, value: mp.mpf, count: int) -> tuple[float, ...]:
-        """Return `count` numbers of the format that add up to `value`, the largest first."""
+        """Return `count` numbers of the format whose sum approximates `value`, largest first."""
         words: list[float] = []
         with mp.workdps(DIGITS):
             for _ in range(count):
@@ -60,6 +59,6 @@ SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 2, 12, 50, 90, 128)
 
 
 def take_middle(ball: Ball) -> mp.mpf:
-    """Return the middle of a ball with all its bits."""
+    """Return the middle of a ball, exactly."""
     number, power = ball.mid().man_exp()
     return mp.make_mpf(mp.libmp.from_man_exp(int(number), int(power)))

@@ -1,10 +1,10 @@
 """The elementary functions: how each is computed in plain arithmetic, for a float format.
 
-Arguments are reduced by the words of Cody and Waite (1980), each taken off by an fma; beyond
-`largest`, where the method of Payne and Hanek (1983) would be needed, a backend's own library is
-called. What is left is a polynomial or a quotient of two (`fits`). There are no tables of values as
-those of Tang (1989), and no branches up to `largest`: a loop over points is vectorised. See Muller,
-Elementary Functions (2016).
+Arguments are reduced by the words of Cody and Waite (1980), each subtracted by an fma; beyond
+`largest`, where the method of Payne and Hanek (1983) would be needed, a backend calls its own
+library. The rest is a polynomial or a quotient of two (`fits`). There are no tables of values like
+Tang's (1989), and no branches up to `largest`, so that a loop over points is vectorised. See
+Muller, Elementary Functions (2016).
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ from mechproof.programs.trace import (
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
-# Rounding of a term of a sum that keeps its rests, in eps: six of the factors, and its own.
+# Bound, in eps, on the rounding of a term in a sum that keeps its rests: six of its factors, and
+# its own.
 ROUNDED = 4
 
 
@@ -45,9 +46,9 @@ ROUNDED = 4
 class Function:
     """A function as a program. `fits` are the approximations in it.
 
-    In the program every product with a sum is fused; `parted` says of which it need not be.
-    Where the absolute value of the first argument is more than the format's `largest`, `program`
-    is wrong and `far`, where there is one, takes the functions of a backend's own library.
+    In `program` every product that is added is fused; `parted` marks those that need not be, as
+    `multiply_add`. Where the absolute value of the first argument exceeds the format's `largest`,
+    `program` is wrong, and `far`, if there is one, uses functions of a backend's own library.
     """
 
     meaning: str
@@ -57,8 +58,8 @@ class Function:
     far: Program | None
 
 
-# The functions that are computed in plain arithmetic, by name: how, from which inputs, and by which
-# library function beyond the largest angle.
+# The functions computed in plain arithmetic, by name: their body, their inputs, and the body by
+# library functions for use beyond the largest angle.
 BODIES: dict[str, tuple[Body, tuple[str, ...], Body | None]] = {}
 
 
@@ -88,17 +89,17 @@ class _Maker:
         self.fits: list[Fitted] = []
 
     def fit(self, target: Target, above: int, below: int = 0) -> Rational:
-        """Fit a target and remember it."""
+        """Return the fit of a target, which is also recorded."""
         fitted = fit(target, above, below, self.form)
         self.fits.append((target, fitted))
         return fitted
 
     def reduce(self, y: Value) -> tuple[Value, Value]:
-        """Return the nearest number n of quarter turns and y less them, to an ulp of itself.
+        """Return the nearest number n of quarter turns, and y less these, to an ulp of itself.
 
-        The first fma is exact: both products are multiples of one unit, their difference is
-        small. The second rounds once; three words of pi/2 leave less than an ulp of the smallest
-        difference that a number up to `largest` has from a multiple of pi/2.
+        The first fma is exact: product and angle are multiples of one unit, and their difference is
+        small. The second rounds once; what three words of pi/2 omit is less than an ulp of the
+        smallest distance of a number up to `largest` from a multiple of pi/2.
         """
         with mp.workdps(DIGITS):
             quarter = self.form.split(mp.pi / 2, 3)
@@ -144,14 +145,17 @@ class _Maker:
         return self.tangent_parts(y)[1]
 
     def waves(self, y: Value) -> tuple[Value, ...]:
-        """Return quarter turns, half of them, if these are even; sine and cosine of the rest."""
+        """Return the number of quarter turns, its half, and whether it is even.
+
+        Then sine and cosine of the rest.
+        """
         n, r = self.reduce(y)
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
         z = r * r
         sine = multiply_add(r * z, polynomial(z, odd.above), r)
         bend = z * 0.5
-        # Adds what the rounding of 1 - z/2 took away, as FreeBSD's library does.
+        # Adds back what the rounding of 1 - z/2 took away, as FreeBSD's library does.
         near = 1.0 - bend
         cosine = near + multiply_add(z * z, polynomial(z, even.above), (1.0 - near) - bend)
         half = n * 0.5
@@ -208,7 +212,7 @@ class _Maker:
         return self.near_itself(w, fits.ARCTANGENT, self.form.arctangent)
 
     def near_itself(self, y: Value, target: Target, degree: int) -> Value:
-        """Return an odd function that is nearly its argument for small ones."""
+        """Return the fit of an odd function that is close to its argument where that is small."""
         fitted = self.fit(target, degree)
         z = y * y
         return multiply_add(y * z, polynomial(z, fitted.above), y)
@@ -341,7 +345,7 @@ def _turn(value: Value, half_turns: Value) -> Value:
 def build(kind: str, form: Format) -> Function:
     """Return the function of a kind of operation in a format.
 
-    Raises `KeyError` for a kind that is an operation of the machine.
+    Raises `KeyError` for a kind without a body, such as an operation of the machine.
     """
     body, inputs, far = BODIES[kind]
     maker = _Maker(form)
@@ -351,7 +355,7 @@ def build(kind: str, form: Format) -> Function:
 
 
 def _fuse(program: Program) -> Program:
-    """Return a program with an fma for every product that is added."""
+    """Return the program with an fma for every `multiply_add`."""
     operations = (
         replace(step, kind="fma") if step.kind == "multiply_add" else step
         for step in program.operations

@@ -1,6 +1,6 @@
-"""Functions where a language has neither them nor a fused multiply-add: by sums and products.
+"""Functions for languages that have neither them nor a fused multiply-add: by sums and products.
 
-Products are recovered as the kernels of NumPy do it: their function is recorded.
+Rests of products are recovered as in NumPy kernels: the function that does so there is traced.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from mechproof.programs.trace import TRACED, Value, choose, trace
 
 
 def fma(a: Value, b: Value, c: Value) -> Value:
-    """Return a*b + c, off by hardly more than one rounding: an error-free product, then a sum.
+    """Return a*b + c, off by barely more than one rounding: by error-free product and sum.
 
-    An infinite product makes it NaN.
+    NaN for an infinite product.
     """
     p = a * b
     s = p + c
@@ -32,24 +32,24 @@ def fma(a: Value, b: Value, c: Value) -> Value:
 
 
 def quotient_rest(a: Value, b: Value, q: Value) -> Value:
-    """Return a/b - q for q the rounded a/b."""
+    """Return a/b - q, q being the rounded a/b."""
     p = q * b
     return ((a - p) - p.apply("product_rest", q, b, p)) / b
 
 
 def maximum(a: Value, b: Value) -> Value:
-    """Return the larger number, NaN if one is."""
+    """Return the larger number, NaN if either is NaN."""
     return choose(a == a, choose(a >= b, a, b), a)
 
 
 def copysign(a: Value, b: Value) -> Value:
-    """Return |a| with the sign of b, which zero has, too."""
+    """Return |a| with the sign of b, which may be a signed zero."""
     size = abs(a)
     return choose((b < 0.0) | (1.0 / b < 0.0), -size, size)
 
 
 def is_finite(a: Value) -> Value:
-    """Say whether a is a number and no infinity."""
+    """Return whether a is neither NaN nor infinite."""
     return a.apply("equal", a - a, 0.0)
 
 
@@ -60,10 +60,10 @@ _MEANT = TRACED.but(number=float)
 
 @cache
 def write_plainly(kind: str) -> Program:
-    """Return the program of a kind, for languages that do not have it.
+    """Return a program for a kind of operation, for languages that do not have it.
 
-    A library function is replaced by its meaning; the rest of a rounding cannot be. Raises
-    NotImplementedError for other kinds.
+    A library function is replaced by its meaning, which would not do for the rest of a rounding.
+    Raises NotImplementedError for a kind without a program.
     """
     if kind in PLAIN:
         body = PLAIN[kind]
@@ -83,7 +83,7 @@ def _find_meaning(kind: str) -> Callable[..., Any] | None:
 
 
 def needs_roundings(kind: str) -> bool:
-    """Say whether the program of a kind must round every sum and product by itself."""
+    """Return whether the program of a kind relies on each sum and product being rounded."""
     if kind in PLAIN:
         return kind in ("fma", "product_rest", "quotient_rest")
     return kind in BODIES and _find_meaning(kind) is None

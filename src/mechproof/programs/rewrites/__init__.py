@@ -1,14 +1,14 @@
 """Rewrites: in, an evaluation; out, one with the same exact value that computes better.
 
-Every rewrite is exact where it is legal, or to less than a rounding. Where that is not everywhere
-it obliges the prover: the relations under which it is legal, and what it encloses, go along with
-the evaluation and are rows of the ledger. A form names its rewrites; `REWRITES` resolves the names.
-A person names them, or `improvement` finds them, which tries them in the order of the table.
+Every rewrite is exact, or off by less than a rounding, where it is legal. If that is not
+everywhere, it creates obligations: the relations under which it is legal, and the steps it only
+encloses, go along with the evaluation and become rows of the ledger. A form names its rewrites,
+which `REWRITES` looks up. A person chooses them, or `improvement` does, which tries them in the
+order of the table.
 
 Herbie (Panchekha et al. 2015) rewrites by rules between patterns, in a graph of equal expressions
-as that of egg (Willsey et al. 2021), and tells by points what was gained; a rule need not hold
-wherever both of its sides have values. Here a rewrite is a program with what it obliges, and that
-is proved.
+like egg's (Willsey et al. 2021), and measures the gain at sample points; its rules need not hold
+wherever both sides have values. Here a rewrite is a program with obligations, and these are proved.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
 
 
 def apply_rewrites(evaluation: Evaluation, names: tuple[str, ...]) -> Evaluation:
-    """Apply the named rewrites in order; ValueError names one that the table does not have."""
+    """Apply the named rewrites in order; ValueError for a name that is not in `REWRITES`."""
     for name in names:
         if name not in REWRITES:
             raise ValueError(f"rewrite {name!r} is not one of {sorted(REWRITES)}")

@@ -40,7 +40,7 @@ def clenshaw(evaluation: Evaluation) -> Evaluation:
 def _collect(
     total: sp.Add,
 ) -> tuple[Mapping[tuple[sp.Symbol, int], sp.Expr], list[sp.Expr]]:
-    """Split a sum into coefficients by angle and multiple, and the other terms."""
+    """Split a sum into the coefficients of sines, by angle and multiple, and the other terms."""
     coefficients: dict[tuple[sp.Symbol, int], sp.Expr] = {}
     rest = []
     for term in total.args:
@@ -54,10 +54,10 @@ def _collect(
 
 
 def in_single(evaluation: Evaluation) -> Evaluation:
-    """Rewrite sin x, cos x -> sin y, cos y, y the float32 of x less whole turns.
+    """Rewrite sin x, cos x -> sin y, cos y, y being x less whole turns, rounded to float32.
 
-    The coefficients of Clenshaw's recurrence are rounded to float32, too, so that all of it is
-    computed in float32. Always legal: the rewrite changes the rounding alone.
+    The coefficients of Clenshaw's recurrence are rounded to float32 too, so that all of it is
+    computed in float32. Always legal: the rewrite only changes roundings.
     """
     steps: list[Step] = []
     small = {

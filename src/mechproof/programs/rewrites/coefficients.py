@@ -1,4 +1,4 @@
-"""Coefficients of affine maps as steps of their own."""
+"""Coefficients of affine maps as named steps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def name_coefficients(evaluation: Evaluation) -> Evaluation:
         rest = row.xreplace(dict.fromkeys(linear, sp.S.Zero))
         for j, variable in enumerate(linear, start=1):
             coefficient = sp.diff(row, variable)
-            # A lone function or symbol is computed where it stands; a name would only hide it.
+            # A lone function or symbol stays in place: a name would only hide it.
             if isinstance(coefficient, sp.Add | sp.Mul):
                 coefficient = evaluation.add_step(f"C{i}{j}", coefficient, steps)
             rest += coefficient * variable
@@ -33,10 +33,10 @@ def name_coefficients(evaluation: Evaluation) -> Evaluation:
 
 
 def _affine_inputs(inputs: frozenset[sp.Basic], rows: tuple[sp.Expr, ...]) -> list[sp.Symbol]:
-    """Find the inputs whose derivatives are free of each other, in the order of their names."""
+    """Return the inputs in which all rows are jointly affine, in the order of their names."""
     candidates = sorted((s for s in inputs if isinstance(s, sp.Symbol)), key=str)
     slopes = {s: [sp.diff(row, s) for row in rows] for s in candidates}
     flat = [s for s in candidates if not any(d.has(s) for d in slopes[s])]
     joint = [s for s in flat if not any(d.has(other) for d in slopes[s] for other in flat)]
-    # An input that is only added, with numbers for slopes, has no coefficient to name.
+    # An input whose coefficients are all numbers has none to name.
     return [s for s in joint if not all(d.is_number for d in slopes[s])]

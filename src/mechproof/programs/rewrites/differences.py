@@ -1,10 +1,9 @@
-"""Differences, without the digits that cancel: of values of a function, from 1, of and in squares.
+"""Differences without cancellation: of values of a function, from 1, and of squares and roots.
 
-The sums and products of trigonometry turn sin a - sin b, whose digits cancel as a nears b, into a
-product with sin((a - b)/2), whose digits do not; other functions have such theorems, too. What
-cancels in roots is multiplied by its conjugate, as in textbooks since Forsythe's on quadratic
-equations (1970); u*u - v*v is (u - v)*(u + v), whose difference is of numbers that were not rounded
-first.
+The sum-to-product identities turn sin a - sin b, whose digits cancel as a nears b, into a product
+with sin((a - b)/2), whose digits do not; other functions have similar theorems. A cancelling sum
+with a root is multiplied by its conjugate, as in textbooks since Forsythe's paper on quadratic
+equations (1970); u*u - v*v becomes (u - v)*(u + v), a difference of numbers not rounded before.
 """
 
 from __future__ import annotations
@@ -21,7 +20,8 @@ from sympy.codegen.rewriting import expm1_opt, log1p_opt, optimize
 from mechproof.programs.evaluation import Evaluation
 from mechproof.programs.rewrites.factored_sums import Factors, is_root, is_sum
 
-# For f(a) - f(b): what it equals by a, b and d = a - b, and the values that have to be positive.
+# For f(a) - f(b), in terms of a, b and d = a - b: an equal expression, and values that must be
+# positive.
 Theorem = Callable[[sp.Expr, sp.Expr, sp.Expr], tuple[sp.Expr, tuple[sp.Expr, ...]]]
 THEOREMS: Mapping[type[sp.Function], Theorem] = MappingProxyType(
     {
@@ -38,7 +38,7 @@ THEOREMS: Mapping[type[sp.Function], Theorem] = MappingProxyType(
 def difference_of_functions(evaluation: Evaluation) -> Evaluation:
     """Rewrite c*f(a) - c*f(b) by `THEOREMS`, f one of sin, cos, tan, exp, log, atan.
 
-    Legal where the values beside the theorem are positive.
+    Legal where the values that the theorem requires to be positive are so.
     """
     legal: list[sp.Basic] = []
 
@@ -58,7 +58,7 @@ _Term = tuple[sp.Expr, sp.Expr, sp.Function]
 
 
 def _list_pairs(total: sp.Add) -> Iterator[tuple[_Term, _Term]]:
-    """Yield pairs of terms (term, factor, function) of one function and factors c and -c."""
+    """Yield pairs of terms (term, factor, function) with the same function and factors c and -c."""
     terms: list[_Term] = []
     for term in sorted(total.args, key=sp.default_sort_key):
         found = [f for f in sp.Mul.make_args(term) if type(f) in THEOREMS]
@@ -69,9 +69,9 @@ def _list_pairs(total: sp.Add) -> Iterator[tuple[_Term, _Term]]:
 
 
 def difference_of_roots(evaluation: Evaluation) -> Evaluation:
-    """Rewrite r + s -> (r**2 - s**2)/(r - s), r = c*sqrt(v), s a term of the other sign.
+    """Rewrite r + s -> (r**2 - s**2)/(r - s), r = c*sqrt(v), s the only other term.
 
-    Legal where r - s is positive, for a negative c where it is negative.
+    Legal where r - s is positive or, for a negative c, negative.
     """
     factors = Factors(evaluation)
     legal: list[sp.Basic] = []
@@ -120,9 +120,9 @@ def hypotenuse(evaluation: Evaluation) -> Evaluation:
 def conjugate_root(evaluation: Evaluation) -> Evaluation:
     """Rewrite u + sqrt(v) -> q where u >= 0, else (v - u**2)/q.
 
-    q = hypot(sqrt(v - u**2), u) + |u|, and v - u**2 is brought to a product, squares of sines
-    having become cosines. No cancellation where u < 0 and sqrt(v) is near -u.
-    Legal for real u where v - u**2 >= 0; where both vanish, so does q, and u >= 0.
+    q = hypot(sqrt(v - u**2), u) + |u|, and v - u**2 is factored, with squares of sines written by
+    cosines. No cancellation where u < 0 and sqrt(v) is near -u.
+    Legal for real u where v - u**2 >= 0; where u and v vanish, so does q, and u >= 0 applies.
     """
     factors = Factors(evaluation)
     legal: list[sp.Basic] = []

@@ -1,7 +1,7 @@
-"""Products: in, a polynomial; out, its factors with every sum inside them as a named step.
+"""Products: in, a polynomial; out, its factors, every sum in them being a named step.
 
-SymPy flattens (1 - e) + (1 + e)*t**2 into one sum of four terms and prints it in its own order,
-which cancels as e -> 1. A named factor keeps its bracket.
+SymPy flattens (1 - e) + (1 + e)*t**2 into one sum of four terms in its own order, which cancels as
+e -> 1. A named factor keeps its brackets.
 """
 
 from __future__ import annotations
@@ -16,18 +16,21 @@ from mechproof.programs.step_names import suggest_name
 
 
 class Factors:
-    """The named sums of one evaluation; `steps` defines them and grows."""
+    """The named sums of one evaluation; their definitions are appended to `steps`."""
 
     def __init__(self, evaluation: Evaluation) -> None:
         self.steps: list[Step] = []
         self._evaluation = evaluation
 
     def name_sums(self, polynomial: sp.Expr) -> sp.Expr:
-        """Factor over the integers and name every sum."""
+        """Return the polynomial factored over the integers, with a name for every sum."""
         return self.multiply(polynomial, self._name)
 
     def by_powers(self, polynomial: sp.Expr, *variables: sp.Symbol) -> sp.Expr:
-        """Factor; a factor with `variables` is a sum of powers with factored coefficients."""
+        """Return the polynomial factored, with a name for every sum.
+
+        A factor with `variables` stays a sum of their powers, with factored coefficients.
+        """
 
         def convert(base: sp.Expr) -> sp.Expr:
             if not base.has(*variables):
@@ -43,9 +46,9 @@ class Factors:
         return self.multiply(polynomial, convert)
 
     def multiply(self, polynomial: sp.Expr, convert: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
-        """Multiply the converted factors, their signs as people write them.
+        """Return the product of the converted factors, with signs as people write them.
 
-        Raises ValueError for what is no polynomial.
+        Raises ValueError for an expression that is no polynomial.
         """
         try:
             number, factors = factor_list(polynomial)
@@ -71,7 +74,7 @@ class Factors:
 
 
 def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
-    """Prefer 1 - e to e - 1, and R - A to a minus sign before the product."""
+    """Return whether a factor reads better negated: 1 - e for e - 1, R - A for -(A - R)."""
     number = base.as_coeff_Add()[0]
     if number:
         return bool(number < 0)
@@ -80,15 +83,15 @@ def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:
 
 
 def is_negative_sum(node: sp.Basic) -> bool:
-    """Tell whether a node is a sum of which all terms have a minus sign."""
+    """Return whether a node is a sum whose terms all have a minus sign."""
     return is_sum(node) and all(term.could_extract_minus_sign() for term in node.args)
 
 
 def is_sum(node: sp.Basic) -> bool:
-    """Tell whether a node is a sum."""
+    """Return whether a node is a sum."""
     return isinstance(node, sp.Add)
 
 
 def is_root(node: sp.Basic) -> bool:
-    """Tell whether a node is a square root."""
+    """Return whether a node is a square root."""
     return isinstance(node, sp.Pow) and node.exp == sp.S.Half

@@ -1,11 +1,11 @@
 """Angles: sines and cosines by tan(x/2), cosines by their distance from one, and low words.
 
-1 - cos x as 2*sin(x/2)**2 is the versine of navigators: its digits do not cancel near zero.
+1 - cos x as 2*sin(x/2)**2 is the navigators' versine: its digits do not cancel near zero.
 
-x = (a/b)*c is rounded to a double before a sine sees it, and where the sine's user is steep that
-error, up to eps*|x|, is most of the result's. Two error-free steps recover it. So are the three
-roundings of (1 - e1)*(1 - e2) where a function goes with a high power of it: each leaves a rest
-that is a double, and their sum is added before the last rounding.
+x = (a/b)*c is rounded to a double before its sine is taken, and where the result depends steeply on
+the angle, that error, up to eps*|x|, dominates. Two error-free steps recover it. Likewise for the
+three roundings of (1 - e1)*(1 - e2) where a result depends on a high power of it: each leaves a
+rest that is a double, and the sum of the rests is added before the last rounding.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ from mechproof.programs.step_names import suggest_name
 def low_word(evaluation: Evaluation) -> Evaluation:
     """Rewrite sin x, cos x -> sin(x + x_low), cos(x + x_low), x_low the rounding error of x.
 
-    For angles c*x, c a number and x a step that is a product of two symbols, of which a quotient
-    of symbols has a rest of its own, and of a power of two, which multiplies without rounding.
-    Always legal: x + x_low is the product, whatever x is.
+    For angles c*x, c a number and x a step that is the product of two symbols and possibly a power
+    of two, which multiplies exactly. A factor that is a step with a quotient adds its own rest.
+    Always legal: x + x_low is the product, however x is rounded.
     """
     values = dict(evaluation.steps)
     steps: list[Step] = []
@@ -53,7 +53,7 @@ def low_word(evaluation: Evaluation) -> Evaluation:
 
 
 def low_part(angle: sp.Expr, evaluation: Evaluation) -> sp.Expr:
-    """Return the terms of an angle that are low words, 0 if there are none."""
+    """Return the sum of an angle's terms that are low words; 0 if there are none."""
     rests = {symbol for symbol, value in evaluation.steps if value.has(ProductRest)}
     return sp.Add(*(term for term in sp.Add.make_args(angle) if term.free_symbols & rests))
 
@@ -61,7 +61,7 @@ def low_part(angle: sp.Expr, evaluation: Evaluation) -> sp.Expr:
 def _add_rest(
     x: sp.Expr, values: Mapping[sp.Symbol, sp.Expr], evaluation: Evaluation, steps: list[Step]
 ) -> sp.Symbol:
-    """Add the steps of the low word of x and return its name."""
+    """Add the steps of the low word of x; return its symbol, ValueError if x has none."""
     number, product = values.get(x, sp.S.Zero).as_coeff_Mul()
     if not (product.is_Mul and len(product.args) == 2 and all(a.is_Symbol for a in product.args)):
         raise ValueError(f"low_word: the angle {x} is not a step that multiplies two symbols")
@@ -81,10 +81,10 @@ Pair = tuple[sp.Symbol, sp.Symbol]
 
 
 def low_product(evaluation: Evaluation) -> Evaluation:
-    """Rewrite steps (c + x)*(d + y) -> p + p_low, p_low the rests of p and of its two factors.
+    """Rewrite steps (c + x)*(d + y) -> p + p_low, p_low being the rests of p and of its factors.
 
     Legal for numbers c and d with |x| <= |c|, |y| <= |d|: then the rests of the factors are
-    doubles. Their product is left out, below eps**2*p, so p + p_low is rounded as if once.
+    doubles. Their product, below eps**2*p, is omitted, so p + p_low is as good as rounded once.
     """
     products = {symbol: value for symbol, value in evaluation.steps if _is_product(value)}
     steps: list[Step] = []
@@ -113,7 +113,7 @@ def _is_sum(factor: sp.Expr) -> bool:
 
 
 def _split_sum(factor: sp.Expr, evaluation: Evaluation, steps: list[Step]) -> Pair:
-    """Add the steps of a rounded sum and of its rest, and return their names."""
+    """Add the steps of a rounded sum and of its rest; return their symbols."""
     high = evaluation.add_step(suggest_name(factor, "factor"), factor, steps)
     rest = SumRest(*factor.as_coeff_Add(), high)
     return high, evaluation.add_step(f"{high}_low", rest, steps)
@@ -122,7 +122,7 @@ def _split_sum(factor: sp.Expr, evaluation: Evaluation, steps: list[Step]) -> Pa
 def _split_product(
     name: sp.Symbol, factors: list[Pair], evaluation: Evaluation, steps: list[Step]
 ) -> sp.Expr:
-    """Add the steps of a rounded product and of its rest, and return their sum."""
+    """Add the steps of a rounded product and of its rest; return their sum."""
     (a, a_low), (b, b_low) = factors
     high = evaluation.add_step(f"{name}_high", a * b, steps)
     rest = ProductRest(a, b, high) + a_low * b + a * b_low
@@ -133,11 +133,11 @@ def half_angle_tangent(evaluation: Evaluation) -> Evaluation:
     """Rewrite quotients in sin x, cos x as quotients in t = tan(x/2).
 
     Numerator and denominator are polynomials in t with factored coefficients. Exact for every x
-    but odd multiples of pi, where the limit t -> oo is the value; no double is an odd multiple of
-    pi. Each term of an outermost sum is converted by itself.
+    except odd multiples of pi, where the value is the limit t -> oo; no double is an odd multiple
+    of pi. Each term of an outermost sum is converted separately.
 
-    An angle with a low word has t = opposite/adjacent by the tangent of a sum, and the
-    polynomials are homogeneous in both: adjacent may vanish, and neither cancels where it counts.
+    For an angle with a low word, t = opposite/adjacent by the tangent of a sum, and the polynomials
+    are homogeneous in both sides: adjacent may vanish, and neither cancels where it matters.
     """
     for angle in evaluation.list_angles(sp.sin, sp.cos):
         factors = Factors(evaluation)
@@ -152,7 +152,7 @@ def half_angle_tangent(evaluation: Evaluation) -> Evaluation:
 def _halve(
     angle: sp.Expr, evaluation: Evaluation, factors: Factors
 ) -> tuple[sp.Symbol, sp.Symbol | sp.Integer]:
-    """Add the steps of tan(angle/2) and return its two sides, t and 1 without a low word."""
+    """Add the steps of tan(angle/2); return its two sides, which are t and 1 without a low word."""
     add = partial(evaluation.add_step, steps=factors.steps)
     low = low_part(angle, evaluation)
     t = add("t", sp.tan((angle - low) / 2))
@@ -207,10 +207,10 @@ def small_arc(evaluation: Evaluation) -> Evaluation:
 
 
 def cosine_minus_one(evaluation: Evaluation) -> Evaluation:
-    """Rewrite cos x -> 1 + cosm1_x with cosm1_x = -2*sin(x/2)**2, ones cancelled before evaluation.
+    """Rewrite cos x -> 1 + cosm1_x with cosm1_x = -2*sin(x/2)**2, cancelling ones symbolically.
 
-    Exact for every real x. A sum with a number that cancels is expanded; elsewhere the cosine
-    is one step, 1 + cosm1_x.
+    Exact for every real x. A sum whose number cancels is expanded; elsewhere the cosine is a
+    step, 1 + cosm1_x.
     """
     angles = evaluation.list_angles(sp.cos)
     small = {x: evaluation.new_symbol(f"cosm1_{suggest_name(x, otherwise='x')}") for x in angles}

@@ -1,7 +1,7 @@
 """Sums that vanish at zero faster than their terms: near zero by their Taylor polynomials.
 
-No identity gives tan x - x without a difference. Below a limit the value is a polynomial that is
-off by less than a rounding, which the prover shows; beyond it few digits cancel.
+No identity rids tan x - x of its difference. Below a limit the value is a polynomial that is off by
+less than a rounding, as the prover shows; beyond the limit few digits cancel.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ import sympy as sp
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.programs.evaluation import Enclosure, Evaluation, Step
 
-# The largest error of the polynomial, as a share of its first term, and its most terms.
+# The largest error of the polynomial as a share of its first term, and the most terms it may have.
 PART, MOST_TERMS = sp.Rational(1, 2**56), 20
-# A polynomial serves up to the first of these that its terms suffice for.
+# A polynomial is used up to the first of these limits for which its terms suffice.
 LIMITS = (sp.Integer(2), sp.Integer(1), sp.Rational(1, 2), sp.Rational(1, 4), sp.Rational(1, 8))
 
 
 def taylor(evaluation: Evaluation) -> Evaluation:
-    """Rewrite sums of one input, whose first terms cancel at 0, to a polynomial near 0.
+    """Rewrite sums in one input whose leading terms cancel at 0 to a polynomial near 0.
 
-    Not exact: that the polynomial is within `PART` of its first term is a row of the ledger.
+    Not exact: a row of the ledger states that the error is within `PART` of its first term.
     """
     steps: list[Step] = []
     enclosures: list[Enclosure] = []
@@ -51,7 +51,7 @@ def taylor(evaluation: Evaluation) -> Evaluation:
 
 
 def _choose_polynomial(total: sp.Add, x: sp.Symbol) -> tuple[sp.Rational, list[sp.Rational]] | None:
-    """Return the limit and the coefficients, None where nothing cancels or no polynomial serves."""
+    """Return limit and coefficients of a polynomial; None if nothing cancels or none suffices."""
     terms = expand_at_zero(total, x)
     parts = [expand_at_zero(part, x) for part in total.args]
     if terms is None or any(part is None for part in parts) or total.is_polynomial(x):
@@ -71,13 +71,13 @@ def _choose_polynomial(total: sp.Add, x: sp.Symbol) -> tuple[sp.Rational, list[s
 
 
 def _shorten(coefficient: sp.Rational) -> sp.Rational:
-    """Return a quotient of whole numbers that are doubles, or else the nearest double."""
+    """Return the coefficient if its numerator and denominator are doubles, else its double."""
     is_short = max(abs(coefficient.p), coefficient.q) < 2**53
     return coefficient if is_short else sp.Rational(float(coefficient))
 
 
 def _nest(terms: list[sp.Rational], x: sp.Symbol, add: Callable[[sp.Expr], sp.Symbol]) -> sp.Expr:
-    """Return the polynomial in Horner's form, x**3*(c3 + x**2*(c5 + ...)), each sum a step."""
+    """Return the polynomial by Horner's rule, x**3*(c3 + x**2*(c5 + ...)), with sums as steps."""
     powers = [k for k, c in enumerate(terms) if c]
     value = terms[powers[-1]]
     for power, above in zip(powers[-2::-1], powers[:0:-1], strict=True):
