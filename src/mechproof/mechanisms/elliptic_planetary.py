@@ -134,8 +134,8 @@ class EllipticPlanetary(Drive):
 
         The ratio is largest where the satellite has made whole turns relative to the carrier, and
         smallest half a turn later. The acceleration is smallest after a largest ratio, and largest
-        as far before it. The jerk is smallest at a largest ratio and largest on both sides of it;
-        from e = 5 - 2*sqrt(6) down, half a period away. With e = 0, the ratio is constant. At a
+        as far before it. The jerk is smallest at a largest ratio and largest on both sides of it
+        or, for e <= 5 - 2*sqrt(6), half a period away. With e = 0, the ratio is constant. At a
         carrier speed w, the ratio is multiplied by w, the acceleration by w² and the jerk by w³.
 
         Raises ValueError for any other name.

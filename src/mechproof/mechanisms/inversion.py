@@ -1,9 +1,9 @@
 """The inverse of an increasing function, to the last bit: a bracket shrinks to two neighbours.
 
-Doubles are numbered in order, so that a bracket of any width holds less than 2**64 of them. A steep
-part, where the function covers much of its range within one, is no exception. Each step is an ITP
-step (Oliveira and Takahashi 2020): interpolation, pushed towards the middle and kept so near to it
-that at most one step more than by bisection of the count is needed.
+Doubles are numbered in order, so a bracket of any width holds fewer than 2**64 of them, even in a
+steep part, where the function covers much of its range between neighbours. Each step is an ITP step
+(Oliveira and Takahashi 2020): interpolation, pushed towards the middle and kept so near to it that
+at most one more step is needed than by bisection of the count.
 """
 
 from __future__ import annotations
@@ -36,14 +36,14 @@ def invert(
 ) -> Floats:
     """Solve function(x) = wanted for x between `low` and `high`, arrays of one shape.
 
-    Return, of the neighbouring doubles between which the computed function passes `wanted`, that of
-    the nearer value. The function must increase; the interval ends at the largest doubles.
+    Of the two neighbouring doubles between which the computed function passes `wanted`, return the
+    one with the nearer value. The function must increase; ends are clipped to the largest doubles.
 
     Raises
     ------
     ArithmeticError
-        With `failure` and the values of `wanted` that the function's values at the ends do not
-        enclose, or where it is NaN.
+        If the function's values at the ends do not enclose a value of `wanted`, or are NaN; the
+        message has `failure` and these values.
 
     """
     target = np.ravel(wanted)
@@ -109,14 +109,14 @@ def _place(a: Orders, b: Orders, fa: Floats, fb: Floats, first: Floats, room: Fl
 
 
 def _count(a: Orders, b: Orders) -> Floats:
-    """Return how many doubles b is above a; the difference may need all 64 bits."""
+    """Return the number of doubles from a to b; the difference may need all 64 bits."""
     return (b - a).view(np.uint64).astype(np.float64)
 
 
 def follow_kind(given: Any, values: NDArray[Any]) -> Any:
     """Return `values` with the mask, index or other kind of the array they were computed from.
 
-    NaN where `given` is not finite. A NumPy scalar where there are no axes.
+    The result is NaN where `given` is not finite, and a NumPy scalar if there are no axes.
     """
     if type(given) is np.ndarray or isinstance(given, (float, np.generic)):
         return values[()]

@@ -109,7 +109,7 @@ class Drive(Displayed):
         speed : array_like
             Speed of the carrier (rad/s).
         acceleration, jerk : array_like, optional
-            Of the carrier (rad/s², rad/s³), zero by default.
+            Acceleration and jerk of the carrier (rad/s², rad/s³), zero by default.
         speed_rpm : array_like
             Turns of the carrier per minute, instead of `speed`.
         degrees : bool
@@ -118,7 +118,7 @@ class Drive(Displayed):
         Returns
         -------
         Motion
-            That of the output, in the broadcast shape of the arguments; NaN where one is NaN.
+            Motion of the output, in the broadcast shape of the arguments; NaN where one is NaN.
 
         Raises
         ------
@@ -169,7 +169,7 @@ class Drive(Displayed):
         Returns
         -------
         Motion
-            That of the output at `t`. NaN where a function is NaN, or has no such derivative, or
+            Motion of the output at `t`. NaN where a function is NaN, or has no such derivative, or
             none that could be found to 1e-6 of its largest, or of 1 rad/s, 1 rad/s², 1 rad/s³.
 
         Raises
@@ -183,9 +183,9 @@ class Drive(Displayed):
         For samples, the carrier's speed, acceleration and jerk are those of the spline. For a
         smooth motion they are off by the third to fifth power of the sample spacing, and by more
         within a few samples of the ends; noise is not smoothed. For a function, they come from
-        polynomials of degree 12 through its values around each time, from 2⁻²⁰ s to 32 s to both
-        sides: those with the smallest last coefficients and rounding errors. Where the function is
-        NaN there, they are not used.
+        polynomials of degree 12 through its values around each time, within 2⁻²⁰ s to 32 s on both
+        sides: those with the smallest last coefficients and rounding errors. Polynomials through
+        places where the function is NaN are not used.
 
         """
         units = Units(degrees)
@@ -217,7 +217,7 @@ DEGREE = 5
 POINTS = 13
 WIDTHS = tuple(2.0**power for power in range(5, -21, -1))
 FOUND = 1e-6
-# Number of times whose windows are held at once.
+# Number of times whose windows are in memory at once.
 BLOCK = 4096
 EPS = float(np.finfo(float).eps)
 
@@ -236,7 +236,7 @@ def interpolate(phi1: ArrayLike, t: Floats) -> Floats:
 
 
 def differentiate(phi1: Callable[[Floats], ArrayLike], t: Floats) -> Floats:
-    """Return values of a function and its first three derivatives, NaN where there are none."""
+    """Return values of a function and its first three derivatives, NaN where none are found."""
     values = _call(phi1, t)
     flat = t.ravel()
     blocks = [flat[start : start + BLOCK] for start in range(0, flat.size, BLOCK)]
@@ -259,10 +259,10 @@ def _call(phi1: Callable[[Floats], ArrayLike], t: Floats) -> Floats:
 
 
 def _search(phi1: Callable[[Floats], ArrayLike], t: Floats) -> tuple[Floats, Floats]:
-    """Return the derivatives of the three orders and the least estimates of their errors.
+    """Return the derivatives of three orders with the least estimated errors, and these estimates.
 
-    The truncation error is estimated by the last two coefficients of the polynomial, and those of
-    the derivatives by these times powers of the degree; rounding errors are added.
+    The truncation error is estimated by the last two coefficients of the polynomial, and that of a
+    derivative by these times a power of the degree; rounding errors are added.
     """
     nodes, last, weights = _weights()
     best, least = np.full((3, t.size), np.nan), np.full((3, t.size), np.inf)
@@ -280,7 +280,7 @@ def _search(phi1: Callable[[Floats], ArrayLike], t: Floats) -> tuple[Floats, Flo
 
 @cache
 def _weights() -> tuple[Floats, Floats, Floats]:
-    """Return nodes, and the weights of values there in the last coefficients and derivatives."""
+    """Return nodes, and matrices from values there to the last coefficients and the derivatives."""
     nodes = chebyshev.chebpts1(POINTS)
     coefficients = np.linalg.inv(chebyshev.chebvander(nodes, POINTS - 1))
     at_zero = [

@@ -1,7 +1,7 @@
-"""The pair 4-5, oval or cylindrical, beside the oval pair 6-3, and the kinds of their motion.
+"""The pair 4-5, oval or cylindrical, next to the oval pair 6-3, and the kinds of their motion.
 
-Two oval pairs, or a cylindrical and an oval one, act like one oval pair: with x twice the angle
-of its driver, wheel 3 turns against the carrier at the speed
+Two oval pairs, or a cylindrical and an oval one, act like one oval pair: with x being twice the
+angle of its driver, wheel 3 turns against the carrier at the speed
 1 - ratio = rate*(1 - e**2)/(1 + e**2 - 2*e*cos(x)), which falls from x = 0 to x = pi. The theorems
 hold for exact numbers and for floats.
 """
@@ -109,7 +109,7 @@ ANGLES = dict.fromkeys(("drift", "amplitude", "period", "rests"), "rad")
 
 
 class OnePair(NamedTuple):
-    """One oval pair that acts like both: driver at rate*(phi1 - phase), E, and 1 - E."""
+    """One oval pair that acts like both: driver at rate*(phi1 - phase), eccentricity, and 1 - e."""
 
     rate: Number
     e: Number
@@ -128,7 +128,7 @@ class OnePair(NamedTuple):
 
 
 def classify(one: OnePair, eta: Number) -> Classified:
-    """Decide the kind of motion and compute its figures; `eta` as in `OvalPlanetary.classify`."""
+    """Return the kind of motion and its characteristics; `eta` as in `OvalPlanetary.classify`."""
     low, mean, high = 1 - one.fastest, 1 - one.rate, 1 - one.slowest
     return Classified(
         kind=_find_kind(low, mean, high, eta),
@@ -142,7 +142,7 @@ def classify(one: OnePair, eta: Number) -> Classified:
 
 
 def compose(e1: float, e2: float, mount: float) -> OnePair:
-    """Compose two pairs at any mounting angle, in sums that do not cancel."""
+    """Return the pair that acts like two at any mounting angle, by sums that do not cancel."""
     turn = cmath.rect(1.0, -2 * mount)
     shared = 4 * e1 * e2 * math.cos(mount) ** 2
     across, along = (e1 - e2) ** 2 + shared, (1 - e1 * e2) ** 2 + shared
@@ -161,7 +161,7 @@ def _find_kind(low: Number, mean: Number, high: Number, eta: Number) -> Kind:
 
 
 def _find_rests(one: OnePair, eta: Number) -> tuple[tuple[float, float], ...]:
-    """Find where |ratio| <= eta, from x = 2*rate*(phi1 - phase) between 0 and half a turn."""
+    """Return the intervals of phi1 in which |ratio| <= eta, over one period of the ratio."""
     rate, p, q = one.rate, 1 + one.e, one.one_minus_e
     # The same products as in _angle_at, so that rounding cannot make a root's argument negative.
     if rate * q > (1 + eta) * p or rate * p < (1 - eta) * q:

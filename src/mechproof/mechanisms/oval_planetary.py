@@ -166,7 +166,7 @@ class OvalPlanetary(Drive):
         ------
         TypeError, ValueError
             If not exactly one of the two is given, it is not positive, or the output advances in a
-            period of the ratio, but by no more than the band.
+            period of the ratio, but by no more than the width of the band.
 
         """
         units = Units(degrees)
@@ -297,7 +297,7 @@ class OvalPlanetary(Drive):
         return getattr(kernels, name)(phi1, first, e2, second)
 
     def _act_as_one(self) -> OnePair:
-        """Compose both pairs; eccentricities add like velocities."""
+        """Return one pair that acts like both; eccentricities add like relativistic velocities."""
         first, second, e2 = self._numbers
         if isinstance(self.pair, CylindricalPair):
             return OnePair(first / second, e2, 1 - e2, 0.0)

@@ -1,4 +1,4 @@
-"""Parameters, exact if given so, and their checks by the facts of a kernel module."""
+"""Parameters, exact if given exactly, and their checks by the facts of a kernel module."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.arguments.scalars import check_count, check_items, check_real, re
 from mechproof.kernel_support.facts import Condition, Sizes
 
 Number = float | Fraction
-# Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
+# Decimal strings are exact too; every parameter is kept as a Fraction or a float.
 Given = float | Fraction | Decimal | str
 
 
@@ -26,7 +26,7 @@ def check_teeth(teeth: tuple[int, int]) -> tuple[int, int]:
 
 
 def check_number(name: str, value: Any) -> Number:
-    """Return an exact fraction, or a float if a float is given."""
+    """Return an exact number as a fraction, and a float as a float."""
     if isinstance(value, np.integer):
         value = int(value)
     if isinstance(value, str | Decimal | int | Fraction) and not isinstance(value, bool):
@@ -55,7 +55,7 @@ def check_domain(
 
 
 def _write_allowed(condition: Condition, given: Mapping[str, tuple[str, Any]]) -> str:
-    """Write what is allowed in the names of the caller, and the other parameters' values."""
+    """Return the condition's text in the caller's names, with the other parameters' values."""
     called = {name: other for name, (other, _) in given.items()}
     text = re.sub(r"\w+", lambda word: called.get(word[0], word[0]), condition.text)
     others = (given[name] for name in condition.names if name != condition.parameter)

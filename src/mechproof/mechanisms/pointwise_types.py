@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 
 class Pointwise(Protocol[P]):
-    """A method of points."""
+    """A method that computes point by point."""
 
     @overload
     def __call__(self, value: float, /) -> np.float64: ...
@@ -27,7 +27,7 @@ class Pointwise(Protocol[P]):
 
 
 class PointwiseInAngles(Protocol[P]):
-    """A method of points that takes or gives angles."""
+    """A method that computes point by point and takes or returns angles."""
 
     @overload
     def __call__(self, value: float, /, *, degrees: bool = False) -> np.float64: ...

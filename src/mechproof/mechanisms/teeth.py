@@ -45,10 +45,10 @@ class Teeth(NamedTuple):
 
 
 class OvalTeeth(NamedTuple):
-    """Tooth number of an oval or elliptical wheel, the module (mm) that fits it, its curve (mm).
+    """Tooth number of an oval or elliptical wheel, the module and the perimeter that fit it (mm).
 
     `alike`: both wheels of the pair can be cut alike, with a tooth where the radius is largest; the
-    other then has a gap where its radius is smallest.
+    mate then has a gap where its radius is smallest.
     """
 
     z: int
@@ -65,7 +65,7 @@ def find_teeth(
     teeth: tuple[int, int] = (12, 200),
     modules: tuple[Given, ...] = MODULES,
 ) -> tuple[Teeth, ...]:
-    """Return all tooth numbers within limits that give two radii exactly, the fewest teeth last.
+    """Return all tooth numbers within limits that give two radii exactly, fewest teeth last.
 
     Parameters
     ----------
@@ -173,7 +173,7 @@ def find_oval_teeth(
 def ellipse_perimeter(a: ArrayLike, e: ArrayLike) -> Any:
     """Return the perimeter 4 a E(e) of ellipses with the semi-axis a (mm), 0 <= e < 1.
 
-    NaN outside. Within 4 eps: those of SciPy's complete elliptic integral of 1 - e**2, and a root.
+    NaN outside the domain. Accurate to 4 eps, those of SciPy's complete elliptic integral included.
     """
     from scipy.special import ellipe
 

@@ -100,7 +100,7 @@ class ToothThickness(Displayed):
 
     @property
     def deepest(self) -> np.float64:
-        """From the constant chord down to where the flank is parallel to the tooth's axis (mm)."""
+        """Depth below the constant chord where the flank is parallel to the tooth's axis (mm)."""
         return kernels.height_change(-self.alpha, self.m, self.z, self.alpha)
 
     @pointwise

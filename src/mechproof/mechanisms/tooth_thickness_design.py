@@ -39,7 +39,7 @@ FAR, OCTAVES = 60, range(-20, 21)
 # From below, one step usually suffices; only near the largest risk are many needed.
 STEPS = 100
 EPS = float(np.finfo(float).eps)
-# Twice the accuracy of shares by quadrature, and far below any jump that matters.
+# Twice the tolerance of shares by quadrature, and far below any jump that matters.
 NEAR = 2e-8
 
 
@@ -130,7 +130,7 @@ def _add(name: str, shares: Scaled, windows: Sequence[tuple[Window, Window]]) ->
 
 
 def _climb(near: Function, far: Function, wanted: float) -> float | None:
-    """Return the least root of near - far = wanted, None where there is none."""
+    """Return the least root of near - far = wanted; None if there is none."""
     target = wanted
     for _ in range(STEPS):
         found = _solve(near, target)
@@ -144,7 +144,7 @@ def _climb(near: Function, far: Function, wanted: float) -> float | None:
 
 
 def _solve(rise: Function, target: float) -> float | None:
-    """Return where an increasing function of a positive number takes a value, None if nowhere."""
+    """Return where an increasing function of a positive number takes a value; None if nowhere."""
     exponent = 0
     while exponent < FAR and rise(2.0**exponent) < target:
         exponent += 1

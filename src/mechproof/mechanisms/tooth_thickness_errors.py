@@ -1,4 +1,4 @@
-"""Errors that add up: laws scaled by an influence, and exact shares for their sum."""
+"""Sums of errors: laws scaled by an influence, and exact shares for the sum of errors."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ class ThicknessInspection(Displayed):
     Notes
     -----
     The parameters of all laws and limits broadcast. The change of thickness with the height is
-    taken to first order; `wheel.linearisation_bound` tells what that neglects.
+    taken to first order; `wheel.linearisation_bound` bounds what that neglects.
 
     Source: paper on tooth thickness, steps 1-10; JCGM 106:2012 for the risks.
 
@@ -130,7 +130,7 @@ class ThicknessInspection(Displayed):
         """Return the wheel and the limits of the paper, E_cs = 12 um and T_c = 45 um.
 
         The deviation has to lie between -57 and -12 um: E_cs is a prescribed decrease. Step 2 as
-        printed has -33 to 12 um; the shares are the same if the true deviation's law is moved, too.
+        printed has -33 to 12 um; the shares are the same if the true deviation's law moves as much.
         """
         laws = true, tip_diameter, height, thickness
         return cls(ToothThickness.published(), PUBLISHED_TOLERANCE, *laws, steps_as_printed)

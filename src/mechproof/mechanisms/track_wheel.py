@@ -290,7 +290,7 @@ class TrackWheel(Displayed):
         if error == length:
             return units.give(0.0, "rad")
         rho = float(kernels.largest_radius(self.R, self.A))
-        # In units of the distance from the origin no square leaves the range of doubles.
+        # In units of the crest's distance from the origin, no square leaves the range of doubles.
         unit = math.hypot(rho, self.H)
         sizes = (size / unit for size in (error, length, rho, self.H))
         tilt = float(getattr(kernels, f"tilt_of_{name}")(*sizes))
@@ -307,8 +307,8 @@ class TrackWheel(Displayed):
     ) -> Any:
         """Return the largest offset at which no error exceeds the one wanted, in any direction.
 
-        In closed form, as in `largest_tilt`; `tilt` accompanies the offset (rad, 0 to pi/2). Errors
-        as there; the error wanted must be at least that of the tilt alone.
+        In closed form, as in `largest_tilt`; `tilt` accompanies the offset (rad, 0 to pi/2). Raises
+        the same errors; the error wanted must be at least that of the tilt alone.
         """
         units = Units(degrees)
         wanted = {"planar_error": planar_error, "spatial_error": spatial_error}
@@ -317,7 +317,7 @@ class TrackWheel(Displayed):
         least = self._find_largest(name, angle, 0.0)
         allowed = f"must be at least {least!r}, that of the tilt alone"
         require(error >= least * (1 - WIDENING), name, error, allowed)
-        # A wanted error that was computed may be too small by rounding.
+        # A wanted error that was itself computed may be too small by rounding.
         error = max(error, least)
         inwards = self._find_largest("planar_error", angle, 0.0)
         if name == "planar_error":

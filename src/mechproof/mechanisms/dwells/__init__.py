@@ -1,1 +1,1 @@
-"""Search for all drives of a cylindrical and an oval pair that dwell, by teeth and eccentricity."""
+"""Search for all drives with a cylindrical and an oval pair that dwell: teeth, eccentricities."""

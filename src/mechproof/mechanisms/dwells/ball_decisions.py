@@ -11,11 +11,11 @@ Decision = bool | None
 
 
 class Open(ArithmeticError):  # noqa: N818
-    """What could not be decided; the text says what."""
+    """Raised if balls cannot decide something; the text names it."""
 
 
 def as_ball(number: Any) -> Any:
-    """Return the ball of an exact number; a ball stays as it is."""
+    """Return the ball of an exact number; balls are returned unchanged."""
     from flint import arb, fmpq
 
     if isinstance(number, Fraction):
@@ -50,7 +50,7 @@ class EnclosedDrive:
 
     @property
     def turns_back(self) -> bool:
-        """Whether the output turns back at all; exact."""
+        """Whether the output turns back at all, decided exactly."""
         k, q = self.exact
         return k * q < 1 if self.sign > 0 else k * q > 1
 
@@ -63,7 +63,7 @@ class EnclosedDrive:
 
     @property
     def top(self) -> Any:
-        """How far it has moved where it turns (row "dwells, how far the output turns back")."""
+        """How far it moves back until it turns (row "dwells, how far the output turns back")."""
         t = ((1 - self.k * self.q) / (self.q * (self.k - self.q))).sqrt()
         return self.sign * (t.atan() / self.k - (self.q * t).atan())
 

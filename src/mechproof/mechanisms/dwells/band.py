@@ -1,10 +1,11 @@
 """The longest interval of the carrier in which a drive of oval wheels keeps its output in a band.
 
-About x = pi for R4 > R5, about x = 0 for R4 < R5, the output is first slow: at d from there it has
-moved by d - arctan(q tan(k d)) (rows "dwells, position from ..."), the arctangent continued. That
-counts here as `moved`, positive while the output turns back. Up to q k = 1 it does not turn back,
-and the longest interval in a band lies about the place. Beyond, this still holds while it turns
-back by no more than half the band; then the interval lies about an angle where the output turns.
+Near x = pi for R4 > R5, near x = 0 for R4 < R5, the output first becomes slow: at d from that place
+it has moved by d - arctan(q tan(k d)) (rows "dwells, position from ..."), with the arctangent
+continued. Here this is called `moved`, positive while the output turns back. Up to q k = 1 it does
+not turn back, and the longest interval in a band is centred on the place. Beyond, this still holds
+while it turns back by at most half the band; after that, the interval is about an angle where the
+output turns.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ Interval = tuple[float, float]
 
 
 class Swing(NamedTuple):
-    """A drive seen from the place where it is first slow: R4/R5, and q there."""
+    """A drive seen from the place where it first becomes slow: R4/R5, and q there."""
 
     k: float
     q: float
@@ -42,20 +43,20 @@ class Swing(NamedTuple):
         return math.pi / (2 * self.k)
 
     def moved(self, d: float) -> float:
-        """How far the output has moved back, less than a period from the place."""
+        """How far the output has moved back at d, less than a period from the place."""
         driver = self.k * d
         driven = math.atan2(self.q * math.sin(driver), math.cos(driver))
         return self.sign * (d - driven)
 
 
 def start_swing(k: float, e: float) -> Swing:
-    """Return the drive of R4/R5 = k, seen from the place where it is first slow."""
+    """Return the drive with R4/R5 = k, seen from the place where it first becomes slow."""
     q = (1 - e) / (1 + e)
     return Swing(k, q if k > 1 else 1 / q)
 
 
 def find_longest(k: float, e: float, band: float) -> Interval:
-    """Return the longest interval, from the place, in which the output stays within +-band.
+    """Return the longest interval, counted from the place, with the output within +-band.
 
     The drift in a period must exceed the width of the band.
     """
@@ -71,10 +72,10 @@ def find_longest(k: float, e: float, band: float) -> Interval:
 
 
 def find_longest_of_equal(e: float, band: float) -> Interval:
-    """Return the same for R4 = R5, counted from x = 0; all angles if all positions are in a band.
+    """Return the longest interval for R4 = R5, from x = 0; infinite if a band has all positions.
 
-    By the angle 2 phi1 - phi3 the output swings like a sine (row "dwells, equal circles"); it is
-    at its largest where that is 3/2 pi.
+    In terms of the angle 2 phi1 - phi3 the output swings like a sine (row "dwells, equal circles");
+    it is largest where that angle is 3/2 pi.
     """
     top = math.asin(e)
     if top <= band:
@@ -96,7 +97,7 @@ ALWAYS = (-math.inf, math.inf)
 
 
 def find_longest_dwell(one: OnePair, eta: Given | None, band: float | None) -> Interval:
-    """Return the interval of `OvalPlanetary.longest_dwell`, of two pairs that act as one."""
+    """Return the interval of `OvalPlanetary.longest_dwell` for two pairs that act as one."""
     if (eta is None) == (band is None):
         refuse("band", band, f"give exactly one of band and eta = {eta!r}", TypeError)
     if band is None:

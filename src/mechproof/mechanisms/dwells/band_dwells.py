@@ -1,24 +1,25 @@
-"""All eccentricities at which the output keeps in a band for a given carrier angle, by R4/R5.
+"""All eccentricities at which the output stays in a band over a given carrier angle, by R4/R5.
 
 Let w be the angle, +-b the band, k = R4/R5, q and `moved` as in `band`. That the search is complete
 rests on these facts; "row" names a proved row of the ledger.
 
-1. Without turning back (q k >= 1 for k > 1, <= 1 for k < 1) the speed of the output has its least
-   size at the place and grows to both sides, so the least movement in w is that about the place:
-   moved(w/2) >= -b.
-2. moved(d) rises with e2 at every d, for arctan(q t) rises with q (row "... turns back").
-3. It turns back by M at most, which rises with e2 (row "... how far the output turns back"). While
-   M <= b the longest interval in the band is that about the place: a band that holds one turn of
-   the output holds both, and beyond them the movement is convex.
-4. For M > b an interval in the band holds one turn alone, for the other swing is longer than the
-   band by the drift. The carrier passes from any speed to any other in less of its angle the
-   larger e2 is (row "... time spent at a speed"). So it takes less to leave the turn by a given
-   way: with a speed function below, more of the way must be made at higher speeds, each of
-   which takes less. For ways beyond the middle of the swing this needs a swing whose angle grows
-   with e2: for k >= 1 it does, for k < 1 while k (q + 1/q) < 2.
+1. If the output does not turn back (q k >= 1 for k > 1, <= 1 for k < 1), its speed has its least
+   size at the place and grows on both sides, so the least movement over w is that about the place:
+   the condition is moved(w/2) >= -b.
+2. moved(d) rises with e2 at every d, because arctan(q t) rises with q (row "... turns back").
+3. The output turns back by at most M, which rises with e2 (row "... how far the output turns
+   back"). While M <= b, the longest interval in the band is that about the place: a band that
+   contains one turn of the output contains both, and beyond them the movement is convex.
+4. For M > b, an interval in the band contains only one turn, because the other swing is longer than
+   the band by the drift. The larger e2 is, the smaller is the carrier angle in which the drive
+   passes from any speed to any other (row "... time spent at a speed"). So it takes less angle to
+   move away from the turn by a given distance: with a lower speed function, more of the distance is
+   covered at higher speeds, each of which takes less. For distances beyond the middle of the swing
+   this needs a swing that grows with e2, as it does for k >= 1, and for k < 1 while
+   k (q + 1/q) < 2.
 5. So at each k the eccentricities form one interval: moved(w/2) >= -b begins it, and M = b or the
    interval about a turn ends it.
-6. In w of a period or more the output drifts by more than the band.
+6. If w is a period or more, the output drifts by more than the band.
 
 Fact 4 is used only where its conditions hold; otherwise the ratio is left open.
 """
@@ -46,7 +47,7 @@ class BandRequest(NamedTuple):
 def find_spans(k: Fraction, asked: BandRequest) -> list[Span]:
     """Return the interval of eccentricities, if there is one.
 
-    Raises `Open` where it could not be decided.
+    Raises `Open` if it could not be decided.
     """
     if k == 1:
         return _find_equal(asked)
@@ -87,7 +88,7 @@ def _find_one(k: Fraction, asked: BandRequest) -> list[Span]:
 
 
 def _find_peak(k: Fraction, asked: BandRequest) -> Fraction | None:
-    """Return e2 at which the output turns back by the band, None if there is none."""
+    """Return the e2 at which the output turns back by the band; None if there is none."""
     at_limit = EnclosedDrive(k, asked.largest_e)
     if not at_limit.turns_back or sure(
         is_above(as_ball(asked.band), at_limit.top), "M at the limit"
@@ -108,7 +109,7 @@ def _find_peak(k: Fraction, asked: BandRequest) -> Fraction | None:
 
 
 def _find_low(k: Fraction, asked: BandRequest) -> Fraction:
-    """Return the least e2, where the movement about the place is the band; 0 if all hold."""
+    """Return the least e2, where the movement about the place equals the band; 0 if all hold."""
     half, band, ratio = float(asked.width) / 2, float(asked.band), float(k)
     if ratio > 1:
         q = math.tan(min(half + band, math.pi / 2)) / math.tan(ratio * half)
@@ -149,7 +150,7 @@ def _find_high(k: Fraction, peak: Fraction, asked: BandRequest) -> Fraction:
 
 
 def _check_monotone(k: Fraction, asked: BandRequest) -> None:
-    """Raise `Open` unless the swing grows with e2 while it is within the whole band."""
+    """Raise `Open` unless the swing certainly grows with e2 while it is within the whole band."""
     first = abs(k - 1) / (k + 1)
     e = asked.largest_e
     while k < 1:
@@ -164,7 +165,7 @@ def _check_monotone(k: Fraction, asked: BandRequest) -> None:
 
 
 def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
-    """Decide in balls whether the output stays in the band for the angle."""
+    """Return, decided in balls, whether the output stays in the band over the angle."""
     drive, width, band = EnclosedDrive(k, e), as_ball(asked.width), as_ball(asked.band)
     if not drive.turns_back or sure(is_above(band, drive.top), "M = b"):
         return sure(is_above(drive.moved(width / 2), -band), "the width about the place")
@@ -185,7 +186,7 @@ def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
 
 
 def _place_about_turn(drive: EnclosedDrive, width: float) -> float:
-    """Return the start of the interval about a turn whose ends are at one height."""
+    """Return the start of the interval about a turn with equal positions at both ends."""
     swing = drive.floats
     low, high = -swing.turning, min(swing.turning, 2 * swing.half - swing.turning - width)
     if swing.moved(low) >= swing.moved(low + width):

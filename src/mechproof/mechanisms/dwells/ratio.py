@@ -2,11 +2,11 @@
 
 With v = 1 - ratio, the speed of wheel 3 against the carrier, the output is slow while
 1 - eta <= v <= 1 + eta, and v falls from x = 0 to x = pi. Such an interval lies about x = pi, about
-x = 0, or between both. About either, whether v is above u at an angle x from there is a quadratic
-condition on e2 (row "dwells, ratio within eta at an angle"). Between them, the carrier passes from
-one speed to the other in less of its angle the larger e2 is (row "dwells, time spent at a speed").
-So all ends are roots in closed form except one, the only root of a decreasing function. Drives
-whose ratio is within eta throughout are at rest, and are left out.
+x = 0, or between the two. About either, v > u at an angle x from there is a quadratic condition on
+e2 (row "dwells, ratio within eta at an angle"). Between them, the larger e2 is, the smaller is the
+carrier angle from one speed to the other (row "dwells, time spent at a speed"). So all ends are
+roots in closed form except one, the only root of a decreasing function. Drives whose ratio is
+within eta throughout are at rest, and are left out.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Speeds(NamedTuple):
         return math.acos(min(1.0, max(-1.0, cosine)))
 
     def ball_angle(self, e: Fraction, speed: Fraction) -> Any:
-        """Return the same in balls, between 0 and pi."""
+        """Return that angle as a ball, limited to [0, pi]."""
         exact = (1 + e * e - self.k / speed * (1 - e * e)) / (2 * e)
         if not -1 < exact < 1:
             return as_ball(0) if exact >= 1 else as_ball(1).pi()
@@ -64,7 +64,7 @@ def find_longest(k: Fraction, e: Fraction, eta: Fraction) -> float:
 
 
 def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
-    """Return the intervals of eccentricities, from the least on.
+    """Return the intervals of eccentricities, in ascending order.
 
     Raises `Open` if they could not be decided.
     """
@@ -82,7 +82,7 @@ def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
 
 
 def _write(k: Fraction, asked: RestRequest, place: Place, low: End, high: End) -> Span:
-    """Make a span of doubles inside the interval; ends that are fractions stay exact."""
+    """Return a span of doubles inside the interval; ends that are fractions stay exact."""
     inner = [
         low if isinstance(low, Fraction) else Fraction(math.nextafter(float(low.upper()), 1.0)),
         high if isinstance(high, Fraction) else Fraction(math.nextafter(float(high.lower()), 0.0)),
@@ -103,7 +103,7 @@ def _write(k: Fraction, asked: RestRequest, place: Place, low: End, high: End) -
 
 
 def _stationary(k: Fraction, asked: RestRequest, a: Fraction, b: Fraction) -> list[Fraction]:
-    """Return where the interval about x = 0 is longest inside: (q + 1/q) k/(1 - eta) = 2."""
+    """Return an e2 in (a, b) with the longest interval about x = 0: (q + 1/q) k/(1 - eta) = 2."""
     spread = 2 * float((1 - asked.eta) / k)
     if spread <= 2:
         return []
@@ -112,7 +112,7 @@ def _stationary(k: Fraction, asked: RestRequest, a: Fraction, b: Fraction) -> li
 
 
 def _cut(low: list[End], high: list[End]) -> list[tuple[End, End]]:
-    """Return the interval between the largest of `low` and the least of `high`, if it is one."""
+    """Return the interval from the largest of `low` to the least of `high`, unless it is empty."""
     first, last = low[0], high[0]
     for end in low[1:]:
         first = end if sure(is_above(end, first), "two ends against each other") else first
@@ -183,7 +183,7 @@ def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
 
 # Where the carrier passes a dwell: about x = pi, about x = 0, or where the output turns.
 Place = Literal["slowest", "fastest", "turns"]
-# Ends of intervals that are not fractions are enclosed to this.
+# Ends of intervals that are not fractions are enclosed to within this.
 MARGIN = Fraction(1, 10**9)
 
 
@@ -191,7 +191,7 @@ class Span(NamedTuple):
     """Eccentricities from `low` to `high` at which a drive dwells, where, and the best of them.
 
     `exact` is the one at which the ratio has a double zero, if it is among them; at `best` the
-    dwell is longest, with the carrier angle `width`.
+    dwell is longest, over the carrier angle `width`.
     """
 
     place: Place

@@ -1,4 +1,4 @@
-"""The search for all drives of a cylindrical and an oval pair that dwell, by tooth numbers."""
+"""The search for all drives with a cylindrical and an oval pair that dwell, by tooth numbers."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PLACES = {"slowest": "x = π", "fastest": "x = 0", "turns": "turns"}
 class Dwell(NamedTuple):
     """Drives that dwell: teeth of the cylindrical pair 4-5 and eccentricities of the oval pair.
 
-    From `low` to `high`, the dwell is at least as long as asked; at `best` it is longest, with the
+    From `low` to `high`, the dwell is at least as long as asked; at `best` it is longest, over the
     carrier angle `width` (rad). `exact` is the eccentricity at which the ratio has a double zero,
     if it is among them. `step` is the advance of the output from one dwell to the next (rad).
     `place` is where the carrier passes the dwell: "slowest" (about x = pi) and "fastest" (x = 0) of
@@ -160,7 +160,7 @@ def _sort_pairs(first: int, last: int) -> dict[Fraction, list[tuple[int, int]]]:
 def _check(
     width: Any, eta: Any, band: Any, largest_e: Any
 ) -> tuple[str, Callable[[Fraction], list[Span]], Number]:
-    """Return what is asked in words, the search for one ratio, and the largest eccentricity."""
+    """Return the request as text, the search for one ratio, and the largest eccentricity."""
     try:
         import flint  # noqa: F401
 
@@ -186,7 +186,7 @@ def _check(
 
 
 def _search(search: Callable[[Fraction], list[Span]], k: Fraction) -> list[Span] | str:
-    """Return the spans of one ratio, or why they are open."""
+    """Return the spans of one ratio, or the reason why they are open."""
     from flint import ctx
 
     from mechproof.executors import BALLS
