@@ -5,7 +5,7 @@
 `receiving` reads a pickled kernel.
 
 Metalibm (Brunie et al. 2015) likewise makes library functions for an interval and an accuracy, with
-bounds from Sollya. Here, any quantity of a paper can be taken, with its parameters substituted.
+bounds from Sollya. Here, any quantity of a paper can be used, with its parameters substituted.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def tailor(
         The parameters by name, and the range of the running variable (the first argument of the
         quantity) as a pair (lowest, highest). If the quantity repeats, the range may be left out:
         it is then symmetric about 0, up to a power of two, and as long as rounding takes no more
-        than a quarter of the error, 2**23 periods at most.
+        than a quarter of the error, at most 2**23 periods.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """Building: in, a request; out, the cheapest model whose enclosed bound meets it.
 
-Coefficients are rounded one by one; Brisebarre and Chevillard (2007) look for the best ones among
-doubles. The enclosure says what that costs.
+Coefficients are rounded one by one; Brisebarre and Chevillard (2007) search for the best ones among
+doubles. The enclosure includes the resulting loss.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from mechproof.tailoring.model import Model, PeriodReduction, Piece, Pieces
 from mechproof.tailoring.request import Request
 
 BITS = 53
-# Most periods that can be subtracted: a word of the period still has enough bits.
+# The most periods that can be subtracted, so that a word of the period still has enough bits.
 MOST_PERIODS = 2**23
 # Shares of the error that may be lost outside the polynomials where the range is free, and by one
 # word of the period alone.
@@ -52,7 +52,7 @@ SLOPE_POINTS = 2049
 
 
 class NotReachedError(ArithmeticError):
-    """No plan meets the error."""
+    """Raised if no plan meets the error."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class Approximand:
         return bool(np.max(np.abs(sums)) <= 2.0**-46 * np.max(np.abs(self.approximate(points))))
 
     def approximate(self, points: Array) -> Array:
-        """Return the function by the shipped kernel."""
+        """Return the function at points, computed by the shipped kernel."""
         return self.request.kernel(points) - self._slow * points
 
     def expand(self, place: Series) -> Series:
@@ -106,7 +106,7 @@ class Approximand:
         return value - self._rate * place if self.repetition else value
 
     def exact(self, place: Ball) -> Ball:
-        """Return the function in balls."""
+        """Return the function at a place, in balls."""
         return list_terms(self.expand(arb_series([place])))[0]
 
 
@@ -131,7 +131,7 @@ def build(request: Request) -> Built:
 
 
 def _repetition_over(request: Request) -> Repetition | None:
-    """Return the repetition, if the range is longer than a period."""
+    """Return the repetition; None without one, or if the range is shorter than a period."""
     found, ends = request.repetition(), request.ends
     is_short = ends is not None and found is not None and ends[1] - ends[0] < found.period
     return None if is_short else found
@@ -212,14 +212,14 @@ def _fit_piece(exact: Callable[[Ball], Ball], centre: float, reach: Ball, powers
 def _lose_outside(
     task: Approximand, low: float, high: float, reduction: PeriodReduction | None
 ) -> float:
-    """Bound the error made outside the polynomials."""
+    """Bound the error of the reduction and the final sum, outside the polynomials."""
     if reduction is None or task.repetition is None:
         return 0.0
     return bound_outside(reduction, task.repetition, max(-low, high), task.slope)
 
 
 def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
-    """List the cheapest plan, then plans that aim lower."""
+    """Yield the cheapest plan, then the cheapest for ever lower tolerances."""
     for share in LOWER:
         plans = list_plans(stretch, share * tolerance)
         if not plans:
@@ -230,7 +230,7 @@ def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
 def _lower(
     stretch: Stretch, plan: Plan, built: Built, attempt: Callable[[Plan], Built | None]
 ) -> Built:
-    """Take terms away while the enclosed bound still meets the error."""
+    """Return the model with as few terms as possible while the enclosed bound meets the error."""
     while plan.terms > 2:
         terms = plan.terms - 1
         fewer = (

@@ -1,4 +1,4 @@
-"""Design: in, a function on an interval; out, pieces and degrees of polynomials that may serve.
+"""Design: in, a function on an interval; out, pieces and degrees of polynomials that may suffice.
 
 Everything here is an estimate in doubles from Chebyshev coefficients at some points, whose decay
 shows the error at each degree (Trefethen 2013). Designs are fitted and enclosed afterwards.
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Function = Callable[[Array], Array]
 # Nodes for odd polynomials on half a period, and inner edges tried there.
 NODES, EDGES = 256, 96
-# Coefficients beyond the last one of a polynomial, from which its error is estimated.
+# Number of coefficients beyond the last one of a polynomial from which its error is estimated.
 AHEAD = 8
 UNIT, GROWTH = 2.0**-53, 1 + 2**0.5
 MOST_PIECES, MOST_TERMS = 16, 26
@@ -48,14 +48,14 @@ class Plan:
 
     @property
     def cost(self) -> int:
-        """Count the operations: a coefficient is multiplied in, and selected by piece."""
+        """Estimate the operations: each coefficient is multiplied in, and selected by piece."""
         overhead = 4 if self.odd and self.count > 1 else 0
         return self.terms * self.count + self.count - 1 + overhead + 3 * self.mirrored
 
 
 @dataclass(frozen=True)
 class Stretch:
-    """A function on an interval; it may not be smooth at `corners`.
+    """A function on an interval; it need not be smooth at `corners`.
 
     `odd`: the function is odd, and the interval right of 0. `periodic`: the interval is a period,
     or half of one.
@@ -90,7 +90,8 @@ def _expand(function: Function, low: Array, high: Array, count: int) -> Array:
 def _estimate(sizes: Array) -> Array:
     """Estimate the error of keeping the coefficients before each: truncation and rounding.
 
-    The powers in T_k add up to (1 + sqrt(2))**k where its value is 1: that much is cancelled.
+    The terms of T_k in powers add up to (1 + sqrt(2))**k in size where its value is 1, so that much
+    cancels.
     """
     padded = np.pad(sizes, [(0, 0), (0, AHEAD)])
     windows = np.lib.stride_tricks.sliding_window_view(padded, AHEAD, axis=1)
@@ -119,7 +120,7 @@ def list_plans(stretch: Stretch, tolerance: float) -> list[Plan]:
 
 
 def plan_odd(stretch: Stretch, terms: int, count: int) -> Plan:
-    """Plan polynomials of given odd powers: one about 0, or a second about the end, too."""
+    """Plan polynomials with `terms` odd powers: one about 0 and, if count is 2, one at the end."""
     end = stretch.high
     inner, near, far = _expand_odd(stretch)
     worst = near if count == 1 else np.maximum(near, far)
@@ -130,7 +131,7 @@ def plan_odd(stretch: Stretch, terms: int, count: int) -> Plan:
 
 @lru_cache(maxsize=4)
 def _expand_odd(stretch: Stretch) -> tuple[Array, Array, Array]:
-    """Return inner edges and the errors there of odd polynomials about 0 and about the end."""
+    """Return inner edges and the errors, by number of terms, of polynomials on either side."""
     end = stretch.high
     inner = end * np.linspace(0, 1, EDGES + 1)[1:] ** 2
     near = _estimate(_expand(stretch.function, -inner, inner, NODES))[:, ::2]
@@ -163,7 +164,7 @@ def _cut(stretch: Stretch, terms: int, tolerance: float) -> list[float] | None:
 
 
 def _reach(stretch: Stretch, start: float, terms: int, tolerance: float) -> float:
-    """Return how far a polynomial reaches."""
+    """Return the end of the longest piece from `start` that meets the tolerance."""
     nodes = terms + AHEAD
     shares = np.linspace(1, 0, 9)[:-1]
     low, span = 0.0, stretch.high - start

@@ -45,11 +45,11 @@ SWINGS = 2
 
 
 class ExceededError(ArithmeticError):
-    """The error exceeds the limit somewhere."""
+    """Raised if the error exceeds the limit somewhere."""
 
 
 class BreakError(ArithmeticError):
-    """The definition cannot be enclosed about a point: it jumps or is undefined there."""
+    """Raised if the definition cannot be enclosed about a point: it jumps or is undefined there."""
 
     def __init__(self, place: float) -> None:
         super().__init__(place)
@@ -74,7 +74,7 @@ class Repetition:
 
 @dataclass
 class _Worst:
-    """The largest bound, error certainly attained, rounding error, slope of the function, value."""
+    """The largest over cells: bound, error surely attained, rounding error, slope and value."""
 
     bound: Ball
     met: Ball
@@ -188,7 +188,7 @@ def _enclose_part(
         if too_much > rest:
             raise ExceededError(float(too_much))
         worst.met = worst.met.max(found.met)
-        # At the middle, with the rounding errors there, whatever is cut.
+        # What remains at the middle, with rounding errors, however finely the cell is cut.
         least = found.met + 2 * found.off
         enough = rest if is_last else (WIDE * worst.met.max(least)).max(SMALL * limit).min(rest)
         if found.bound <= enough:
@@ -203,7 +203,7 @@ def _enclose_part(
 
 
 def seek_break(exact: Exact, low: float, high: float) -> None:
-    """Raise `BreakError` where a definition jumps or is undefined between the ends."""
+    """Raise `BreakError` if a definition jumps or is undefined between the ends."""
     with working(ORDER):
         narrowest, jump = (high - low) * NARROWEST, JUMP * _sample(exact, (low, high))
         cells = [(low, high)]
@@ -220,7 +220,7 @@ def seek_break(exact: Exact, low: float, high: float) -> None:
 
 
 def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
-    """Return the largest absolute value of some samples."""
+    """Return the largest absolute value of a function at some samples."""
     points = (ends[0] + (ends[1] - ends[0]) * i / SAMPLES for i in range(1, SAMPLES))
     sizes = (abs(list_terms(exact(arb_series([arb(point)])))[0]) for point in points)
     return max(sizes, key=lambda size: float(size.mid()))
@@ -229,7 +229,7 @@ def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
 def _list_cells(
     model: Model, ends: tuple[float, float], count: int
 ) -> Iterable[tuple[float, float]]:
-    """List cells, with edges where pieces are selected."""
+    """Yield `count` cells in each interval between the edges of pieces, in both signs."""
     edges = {*ends, 0.0, *model.pieces.edges, *(-e for e in model.pieces.edges)}
     for low, high in pairwise(sorted(e for e in edges if ends[0] <= e <= ends[1])):
         step = (high - low) / count

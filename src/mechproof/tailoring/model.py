@@ -1,10 +1,10 @@
-"""Models: polynomials of pieces and the reduction before them, as numbers and as programs.
+"""Models: piecewise polynomials and the reduction before them, as numbers and as programs.
 
-Of a program and a ball its input is in, a value is what exact arithmetic would give, as a Taylor
-series about the middle of the ball and as one whose coefficients hold over all of it, and how far
-the computed one may be off: a Taylor model (Makino and Berz 1996) whose remainder is the rounding.
-A product and the sum after it are both rounded, although backends with an fma round once: the bound
-holds for all of them.
+For a program with its input in a ball, a value is the exact result, as a Taylor series about the
+middle of the ball and as one with coefficients that hold over all of it, and a bound on how far the
+computed result is off: a Taylor model (Makino and Berz 1996) whose remainder is the rounding error.
+A product and the sum after it are both rounded, although backends with an fma round only once: so
+the bound holds for all of them.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from mechproof.programs.program import Program
 from mechproof.programs.trace import Value, choose, copysign, fma, trace
 from mechproof.roundoff.running import run
 
-# A double so large that adding to it rounds to a whole number, more cheaply than a rounding.
+# A double so large that adding to it rounds to a whole number, more cheaply than `rint`.
 WHOLE = 1.5 * 2.0**52
 UNIT = arb(2) ** -53
-# The most that a product loses by falling below the range of doubles.
+# The most that a product loses by underflow.
 LEAST = arb(2) ** -1074
 
 
@@ -41,8 +41,8 @@ class Piece:
 class Pieces:
     """Consecutive polynomials, separated by `edges`.
 
-    `odd`: in odd powers, the second about the end of |r|. `mirrored`: they lie right of 0, and the
-    function is odd.
+    `odd`: they have odd powers only, and a second one is about the end of |r|. `mirrored`: they are
+    for r >= 0, and the function is odd.
     """
 
     edges: tuple[float, ...]
@@ -62,7 +62,7 @@ class Pieces:
         return 2 * index + 1 if self.odd else index
 
     def write(self, r: Value) -> Value:
-        """Return the value at the remainder of the reduction."""
+        """Return the value of the polynomials at the remainder of the reduction."""
         if self.odd:
             return self._write_odd(r)
         w = abs(r) if self.mirrored else r
@@ -76,13 +76,13 @@ class Pieces:
         *_, last = self.pieces
         beyond, s = [abs(r) >= edge for edge in self.edges], r
         if beyond:
-            # The function repeats half a period either way; the sign tells which way.
+            # The second centre is half a period to either side; the sign decides which.
             s = r - choose(beyond[0], copysign(last.centre, r), 0.0)
         return s * _put(s * s, beyond, [p.coefficients for p in self.pieces])
 
 
 def _pick(beyond: Sequence[Value], numbers: Sequence[float]) -> Value | float:
-    """Return the number of the last piece that begins before the point."""
+    """Return the number that belongs to the last piece that begins before the point."""
     picked: Value | float = numbers[0]
     for condition, number in zip(beyond, numbers[1:], strict=True):
         same = not isinstance(picked, Value) and number == picked
@@ -91,7 +91,7 @@ def _pick(beyond: Sequence[Value], numbers: Sequence[float]) -> Value | float:
 
 
 def _put(z: Value, beyond: Sequence[Value], rows: Sequence[Sequence[float]]) -> Value | float:
-    """Return the polynomials by Horner's rule: loops over points wait for nothing else."""
+    """Return the selected polynomial by Horner's rule; loops over points hide its latency."""
     first, *others = [_pick(beyond, column) for column in zip(*rows, strict=True)][::-1]
     value = first
     for number in others:
@@ -101,7 +101,7 @@ def _put(z: Value, beyond: Sequence[Value], rows: Sequence[Sequence[float]]) -> 
 
 @dataclass(frozen=True)
 class PeriodReduction:
-    """Subtracts whole periods: `words` add up to the period, `rate` is the gain over it."""
+    """Subtracts whole periods: `words` add up to the period, `rate` is the gain per unit of it."""
 
     words: tuple[float, ...]
     per_period: float
@@ -152,7 +152,7 @@ class Model:
 
 
 class UndecidedError(ArithmeticError):
-    """A comparison has two answers within the ball."""
+    """Raised if a comparison has two answers within a ball."""
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ class TaylorModel:
 
     @property
     def largest(self) -> Ball:
-        """Return the largest size that the computed value has."""
+        """Return an upper bound on the absolute value of the computed result."""
         return abs(list_terms(self.whole)[0]).upper() + self.off
 
     def __add__(self, other: TaylorModel) -> TaylorModel:
@@ -196,7 +196,7 @@ def track(program: Program, low: float, high: float) -> TaylorModel:
 
 
 def start(low: float, high: float) -> TaylorModel:
-    """Return the input: a double, exact."""
+    """Return the model of an input, an exact double from `low` to `high`."""
     middle, half = (arb(low) + high) / 2, (arb(high) - low) / 2
     return TaylorModel(*expand_about(middle, half), arb(0), (arb(low), arb(high)))
 
@@ -212,7 +212,7 @@ def _round(middle: Series, whole: Series, off: Ball, least: Ball | int = 0) -> T
 
 
 def _compare(a: TaylorModel, b: TaylorModel) -> bool:
-    """Say whether a <= b, equality apart: at an edge both answers are enclosed."""
+    """Return whether a <= b; for equal ends either answer will do, as both are enclosed."""
     if a.ends is None or b.ends is None:
         raise NotImplementedError("no comparison of what is rounded")
     if a.ends[1] <= b.ends[0]:

@@ -1,6 +1,6 @@
 """Receiving: the modules needed to tailor a kernel, and to read one pickled elsewhere.
 
-Nothing of the extra is loaded before it is known to be installed.
+Nothing from an extra is loaded before it is known to be installed.
 """
 
 from __future__ import annotations
@@ -21,14 +21,15 @@ FAST = ("numba",)
 def receive(backend: str, written: bytes) -> Any:
     """Rebuild a pickled kernel; an ImportError names the extra that its backend needs.
 
-    `written` holds the function that makes the kernel, which loads the extra, and its arguments.
+    `written` is the pickle of the function that makes the kernel, which loads the extra, and its
+    arguments.
     """
     require_modules("a tailored kernel", "derive", NEEDED)
     require_modules(f"a kernel tailored for {backend}", "fast", [m for m in FAST if m == backend])
     return _make(written)
 
 
-# A process sent one kernel with each of its tasks prints and reads it only once.
+# Cached, so that a process that receives one kernel with each task prints and reads it only once.
 @lru_cache
 def _make(written: bytes) -> Any:
     make, *arguments = pickle.loads(written)

@@ -56,13 +56,13 @@ class Request:
     folder: Path | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the request itself: the functions of a paper cannot be sent."""
+        """Pickle the arguments of the request, as the functions in a paper cannot be pickled."""
         ends = {} if self.ends is None else {self.variable: self.ends}
         return read_request, (self.name, self.error, {**self.values, **ends}, self.folder)
 
     @property
     def name(self) -> str:
-        """Return system.quantity."""
+        """Return the name system.quantity."""
         return f"{self.paper.system}.{self.quantity.name}"
 
     @property
@@ -102,7 +102,7 @@ class Request:
         return self.define(sp.sympify(expression)).value()
 
     def corners(self, low: float, high: float) -> tuple[float, ...]:
-        """Find the singular points of the derivation between the ends."""
+        """Return the quantity's singular points between the ends, in ascending order."""
         found: set[float] = set()
         for singular in self.quantity.singular:
             try:
@@ -116,7 +116,7 @@ class Request:
 
 
 def _find_zeros(definition: TaylorExpression, low: float, high: float) -> list[float]:
-    """Find where a function changes sign."""
+    """Return the places between the ends where a function changes sign."""
     points = np.linspace(low, high, POINTS + 1).tolist()
     signs = [_sign(definition, point) for point in points]
     return [
@@ -144,9 +144,9 @@ def _close_in(definition: TaylorExpression, low: float, high: float, sign: int) 
 def read_request(
     name: Any, error: Any, arguments: Mapping[str, Any], derivations: Any = None
 ) -> Request:
-    """Check a request.
+    """Return the request of checked arguments.
 
-    Raises TypeError or ValueError "name = value: what is allowed".
+    Raises TypeError or ValueError with the text "name = value: what is allowed".
     """
     folder = None if derivations is None else check_folder(derivations)
     paper, quantity = _find_quantity(name, folder)
@@ -170,12 +170,12 @@ def read_request(
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
     if quantity.periodicity is not None:
         _check_periodicity(name, paper, quantity, quantity.periodicity)
-    # All who unpickle a kernel share it.
+    # Read-only, as all copies of an unpickled kernel share it.
     return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)
 
 
 def _check_periodicity(name: str, paper: Paper, quantity: Quantity, repeats: Periodicity) -> None:
-    """Refuse a quantity that is not proved to repeat as its derivation says."""
+    """Raise ValueError unless the quantity is proved to repeat as its derivation says."""
     answer = prove_periodicity(paper, quantity, repeats)
     if answer.verdict is not Verdict.PROVED:
         reason = f"its period {repeats.period} is {answer.verdict}: {answer.reason}"
@@ -183,7 +183,7 @@ def _check_periodicity(name: str, paper: Paper, quantity: Quantity, repeats: Per
 
 
 def prove_periodicity(paper: Paper, quantity: Quantity, repeats: Periodicity) -> Answer:
-    """Decide whether the value rises by the gain over each period, wherever it is meant."""
+    """Decide whether the value rises by the gain over each period, everywhere in its domain."""
     (running,) = quantity.arguments[0].symbols
     here = sp.sympify(resolve(quantity.definition, paper.given))
     there = here.subs(running, running + repeats.period)

@@ -139,7 +139,7 @@ def make_kernel(request: Request, built: Built, backend: str | None = None) -> T
 
 
 def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
-    """Return a model as the kernel of a quantity without parameters; its range is the domain."""
+    """Return a model as the kernel of a quantity without parameters; its range is its domain."""
     quantity = request.quantity
     program = model.program() if fused else unfuse(model.program())
     first = quantity.arguments[0]
@@ -172,7 +172,7 @@ def _describe(request: Request, bound: float) -> tuple[str, ...]:
 
 
 def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
-    """Return the function of a module that is printed into the cache folder."""
+    """Return the function of a module printed into the cache folder and read back."""
     docstring = _describe(request, bound)
     if backend == NUMBA:
         kernel = _wrap(request, model, fused=True)
@@ -186,7 +186,7 @@ def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
 
 
 def _import(source: str) -> ModuleType:
-    """Import source code from a file, beside which numba keeps compiled code."""
+    """Import source code from a file, next to which numba caches compiled code."""
     name = f"mechproof_tailored_{sha256(source.encode()).hexdigest()[:16]}"
     known = sys.modules.get(name)
     return import_file(name, _keep(name, source)) if known is None else known
