@@ -1,4 +1,4 @@
-"""What compiled code calls: machine operations, and loops over arrays of every shape.
+"""The support for compiled code: machine operations, and loops over arrays of every shape.
 
 Needs numba; only the generated package `kernels.compiled` and `conformity.compiled` import it.
 """

@@ -1,4 +1,4 @@
-"""Arrays with labels, of pandas and xarray: numbers are computed, labels are put back."""
+"""Arrays with labels, from pandas and xarray: compute with their numbers, put labels back."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import numpy as np
 
 
 def find_labelled(arrays: tuple[Any, ...]) -> int | None:
-    """Return which argument has labels, if all others are numbers; None if none or several have.
+    """Return the place of the only array if it has labels and all other arguments are numbers.
 
-    Two of them would have to be aligned. Lazy arrays, such as arrays in chunks, have none.
+    None otherwise: two labelled arrays would have to be aligned. Arrays in chunks, which are lazy,
+    count as having no labels.
     """
     places = [i for i, array in enumerate(arrays) if np.ndim(array)]
     if len(places) != 1:
@@ -28,7 +29,7 @@ def label(values: Any, labelled: Any) -> Any:
 
 @cache
 def _keep_first() -> Any:
-    """Return a ufunc, which arrays with labels know how to be called with."""
+    """Return a ufunc for its first argument, as arrays with labels support ufuncs."""
     from numba import vectorize
 
     return vectorize(["f4(f4, f4)", "f8(f8, f8)"])(_take_first)

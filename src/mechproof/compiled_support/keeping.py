@@ -1,4 +1,4 @@
-"""Compiled code in files: found again by the module that it was compiled as, or done without."""
+"""Compiled code cached in files, by the module that it was compiled as; optional if it fails."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache
 
 
 class _Files(CompileResultCacheImpl):  # type: ignore[misc]
-    """Files of their own for each module: compiled code finds the rest by the module's name."""
+    """Separate files for each module name, by which compiled code finds the functions it calls."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
         super().__init__(function)
@@ -21,7 +21,7 @@ class _Files(CompileResultCacheImpl):  # type: ignore[misc]
 
 
 class _Kept(FunctionCache):  # type: ignore[misc]
-    """What numba keeps of a function; a folder that cannot be written is no error."""
+    """numba's cache of a function's machine code, but an unwritable folder is no error."""
 
     _impl_class = _Files
 
@@ -33,12 +33,12 @@ class _Kept(FunctionCache):  # type: ignore[misc]
 
 
 def compile_kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return a decorator that compiles a function on its first call and keeps it in a file."""
+    """Return a decorator that compiles a function on its first call and caches it in a file."""
     compiled = njit(**options)
 
     def decorate(function: Callable[..., Any]) -> Any:
         dispatcher = compiled(function)
-        # Without numba's compiler a function stays as it is.
+        # With numba's compiler disabled, `njit` returns the function itself.
         if dispatcher is not function:
             try:
                 dispatcher._cache = _Kept(function)

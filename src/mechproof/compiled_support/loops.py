@@ -21,7 +21,7 @@ from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_co
 from mechproof.kernel_support.blocks import WRITTEN, check_out
 from mechproof.tools.processes import count_processors
 
-# Number of points in a row for which a call of its own pays, and for which a second thread does.
+# Numbers of points in a row from which a separate call, and a second thread, is worthwhile.
 LONG_ROW = 32
 THREADED = 2**17
 IN_A_ROW = (DOUBLE.itemsize,)
@@ -32,10 +32,10 @@ NUMBERS = (float, np.float64)
 class Loops:
     """A compiled kernel: its arguments, the shape of a result, and two ways to call it.
 
-    `widths` are the lengths of last axes, 0 where there is none. `at` takes one point; `rows` takes
+    `widths` are the lengths of last axes, 0 if there is none. `at` computes one point; `rows` takes
     flat targets, one for each of several `results`, a flat array of points, and for each parameter
-    a flat array, too, or what is the same for all points. `point` and `fill` are `at` and `rows`
-    for Python's numbers and rows that `take_row` took, entered at once.
+    a flat array or a value common to all points. `point` and `fill` are direct entries to `at` and
+    `rows`, for Python numbers and for rows accepted by `take_row`.
     """
 
     names: tuple[str, ...]
@@ -56,24 +56,24 @@ class Loops:
         return self.point(*numbers)
 
     def _fill_first(self, row: NDArray[Any], points: NDArray[Any], *parameters: float) -> None:
-        # Rows that may only be read are entered like those that may be written.
+        # Compiled for writeable rows, which also works for read-only ones.
         self.fill = find_entry(self.rows, row, row, *parameters)
         self.fill(row, points, *parameters)
 
 
 def find_entry(function: Any, *arguments: Any) -> Callable[..., Any]:
-    """Return what numba compiles for arguments of these types: it never looks at types again.
+    """Return the entry that numba compiles for arguments of these types, without type dispatch.
 
-    The look takes a third of the time of a call on few points.
+    Dispatch takes a third of the time of a call with few points.
     """
     entry: Callable[..., Any] = function.compile(tuple(map(typeof, arguments)))
     return entry
 
 
 def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | None:
-    """Return the array that a short row of doubles is computed into at once; else None.
+    """Return the array into which a short row of doubles can be computed directly, else None.
 
-    The first test of a call: nothing here may cost as much as the loop over ten points.
+    As the first test of a call, it must cost less than the loop over ten points.
     """
     if first.dtype is not DOUBLE or first.strides != IN_A_ROW:
         return None
@@ -91,20 +91,20 @@ def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | No
 
 
 def _are_apart(first: NDArray[Any], out: NDArray[Any]) -> bool:
-    """Say whether two arrays have no memory in common, at once where neither is part of another."""
+    """Return whether two arrays share no memory; quick if neither is a view."""
     if first.base is None and out.base is None:
         return first is not out
     return not np.may_share_memory(out, first)
 
 
 def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
-    """Return a kernel's values, in `out` if there is one.
+    """Return a kernel's values, stored in `out` if given.
 
     Raises
     ------
     TypeError, ValueError
-        As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too, but for one
-        array with labels beside numbers.
+        As NumPy kernels do; TypeError also for arrays that bring their own ufuncs, except a single
+        labelled array among numbers.
 
     """
     if (row := _take_numbers(loops, arguments, out)) is not None:
@@ -134,7 +134,7 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
 def _take_numbers(
     loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None
 ) -> NDArray[Any] | None:
-    """Fill a short row of doubles whose parameters are numbers of any kind; None for all else."""
+    """Compute a short row of doubles with parameters that are any numbers; None for all else."""
     first, *parameters = arguments
     if type(first) is not np.ndarray or any(loops.widths) or loops.shape or loops.results > 1:
         return None
@@ -147,10 +147,10 @@ def _take_numbers(
 
 
 def _is_double(value: Any) -> bool:
-    """Say whether it is one number that makes a double of every array of doubles."""
+    """Return whether a value is a single number that leaves arrays of doubles doubles."""
     kind = type(value)
     if kind is int:
-        # Larger integers are no numbers of NumPy's.
+        # NumPy has no larger integers.
         return bool(-(2**63) <= value < 2**63)
     return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 
@@ -171,7 +171,7 @@ def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any
 
 
 def check_arrays(names: tuple[str, ...], arrays: tuple[Any, ...], widths: tuple[int, ...]) -> None:
-    """Raise TypeError or ValueError for what is no plain array, or has other components."""
+    """Raise TypeError for an array that is not plain, ValueError for wrong components."""
     for name, array, width in zip(names, arrays, widths, strict=True):
         if type(array) not in PLAIN:
             kind = type(array).__name__
@@ -186,7 +186,7 @@ def fill_target(
     arrays: tuple[Any, ...],
     out: NDArray[Any] | None,
 ) -> Any:
-    """Return what `fill` writes into an array of the shape `whole`, in `out` if there is one."""
+    """Return the array of the shape `whole` that `fill` writes, stored in `out` if given."""
     dtype = arrays[0].dtype
     if out is not None:
         check_out(out, whole, dtype)
@@ -213,7 +213,7 @@ def _fill(
     arrays: tuple[Any, ...],
     outer: list[tuple[int, ...]],
 ) -> None:
-    """Fill targets whose last axes are a result's: rows of equal parameters if they are long."""
+    """Fill targets whose last axes are a result's, by rows of equal parameters if rows are long."""
     depth = len(points) - _count_common_axes(outer[1:], len(points))
     if not depth and outer[0] == points:
         first, *parameters = (array.reshape(-1) for array in arrays)
@@ -236,19 +236,19 @@ def _fill(
 
 
 def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Broadcast an array that has another shape; what is broadcast is copied before it is taken."""
+    """Return an array broadcast to a shape; it is copied later, before a loop takes it."""
     return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
 def _take_parameter(values: NDArray[Any], width: int) -> Any:
-    """Return what is the same for all points: Python's number, or a tuple of several."""
+    """Return a parameter common to all points as a Python number, or as a tuple of several."""
     return tuple(values.tolist()) if width else values.item()
 
 
 def _list_parameters(
     wide: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
 ) -> Iterator[tuple[Any, ...]]:
-    """Return the index of each row and its parameters; along a row they are equal."""
+    """Yield the index of each row with its parameters, which are equal along the row."""
     first = (slice(None),) * depth + (0,) * (len(points) - depth)
     columns = [
         map(tuple, column.reshape(-1, width).tolist()) if width else column.reshape(-1).tolist()
@@ -258,7 +258,7 @@ def _list_parameters(
 
 
 def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
-    """Count the last axes along which nothing of the given shapes varies."""
+    """Return the number of last axes along which no array of the given shapes varies."""
     for axis in range(1, rank + 1):
         if any(len(shape) >= axis and shape[-axis] != 1 for shape in shapes):
             return axis - 1
@@ -268,7 +268,7 @@ def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
 def _fill_uniformly(
     loops: Loops, targets: list[NDArray[Any]], row: NDArray[Any], parameters: Any
 ) -> None:
-    """Fill flat targets, on several threads if they are long."""
+    """Fill flat targets with parameters common to all points, on several threads if long."""
     points = row.size // max(loops.widths[0], 1)
     workers = count_processors() if points >= THREADED else 1
     given = [row, *parameters]
@@ -287,7 +287,7 @@ def _fill_uniformly(
 def _take_points(
     loops: Loops, targets: list[NDArray[Any]], given: list[Any], part: slice
 ) -> tuple[list[NDArray[Any]], list[Any]]:
-    """Return what flat targets and arguments have of some points in a row."""
+    """Return the parts of flat targets and arguments for a range of points."""
 
     def take(value: Any, width: int) -> Any:
         count = max(width, 1)
@@ -299,7 +299,7 @@ def _take_points(
 
 
 def _fill_pieces(loops: Loops, targets: list[NDArray[Any]], given: list[Any]) -> None:
-    """Fill flat targets; piece by piece where numba would compile the loop for other arrays."""
+    """Fill flat targets; piece by piece with copies if numba would have to compile anew."""
     if are_plain(given):
         loops.rows(*targets, *given)
         return
@@ -311,7 +311,7 @@ def _fill_pieces(loops: Loops, targets: list[NDArray[Any]], given: list[Any]) ->
 
 
 def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:
-    """Call a compiled function for all parts, on all processors."""
+    """Call a compiled function for each part, using all processors."""
     if count_processors() == 1:
         for part in parts:
             act(part)
@@ -325,6 +325,6 @@ def _pool() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(count_processors(), "mechproof")
 
 
-# A forked process has none of its parent's threads.
+# A forked process does not have its parent's threads.
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_pool.cache_clear)

@@ -1,6 +1,6 @@
-"""Machine operations for functions that compute one point, and how these are compiled.
+"""Machine operations for functions that compute one point, and decorators that compile these.
 
-Functions marked `scalar` compute one point; `loop` ones fill a flat array.
+Functions marked `scalar` compute one point; those marked `loop` fill a flat array.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ __all__ = [
 ]  # fmt: skip
 
 _HOW = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True}
-# No entry from Python, which takes as long to compile as a short function.
+# Without an entry from Python, which takes as long to compile as a short function.
 _INSIDE = {**_HOW, "no_cpython_wrapper": True}
 
 
@@ -43,7 +43,7 @@ def _call_inside(compiled: Callable[..., Any]) -> Callable[[Callable[..., Any]],
         dispatcher = compiled(function)
         if dispatcher is not function:
             entered = cache(lambda: njit(**_HOW)(function))
-            # Without this, numba would jump to the entry that is missing.
+            # Otherwise numba would jump to the missing entry.
             dispatcher._insert = lambda *overload: None
             dispatcher._compile_for_args = lambda *values: entered()
         return dispatcher
@@ -54,7 +54,7 @@ def _call_inside(compiled: Callable[..., Any]) -> Callable[[Callable[..., Any]],
 loop = compile_kept(**_HOW)
 _entered = compile_kept(**_HOW, forceinline=True)
 scalar = _call_inside(compile_kept(**_INSIDE, forceinline=True))
-# A loop that is kept in a file with the one that calls it, not on its own.
+# A loop that is cached in a file with its caller, not on its own.
 inner = _call_inside(njit(**_INSIDE))
 # A function that is always inlined into its caller, and one that never is.
 within = _call_inside(njit(**_INSIDE, forceinline=True))
@@ -62,9 +62,9 @@ apart = _call_inside(njit(**_INSIDE, forceinline=False))
 
 
 def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
-    """Have compiled code call the decorated function wherever `function` is called.
+    """Return a decorator whose function compiled code calls wherever `function` is called.
 
-    A function may stand in for itself: compiled code takes it as it is.
+    A function may stand in for itself: compiled code then compiles it unchanged.
     """
 
     def register(implementation: Callable[..., Any]) -> Callable[..., Any]:
@@ -79,9 +79,10 @@ def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]
 def point_of(
     kernel: Callable[..., Any], *, spread: bool = False
 ) -> Callable[[Callable[..., Any]], Any]:
-    """Return a decorator for what computes one point of a kernel, also where compiled code does.
+    """Return a decorator for the function that computes one point of a kernel.
 
-    With `spread` compiled code can call the kernel with arrays, too, which broadcast.
+    Compiled code that calls the kernel calls this function; with `spread`, it can also call the
+    kernel with arrays, which broadcast.
     """
 
     def register(function: Callable[..., Any]) -> Any:
@@ -93,11 +94,11 @@ def point_of(
 
 
 def _spread(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return what numba asks for the implementation of a function of numbers for some types."""
+    """Return the overload that gives numba a vectorised implementation if a type is an array."""
 
     @cache
     def write() -> Any:
-        # Arguments may be given by name: the implementation needs those names.
+        # Arguments may be given by name, so the implementation needs those names.
         taken = signature(function)
         names: dict[str, Any] = {"each": vectorize(function)}
         exec(f"def spread{taken}: return each({', '.join(taken.parameters)})", names)
@@ -112,9 +113,9 @@ def _spread(function: Callable[..., Any]) -> Callable[..., Any]:
 
 @intrinsic
 def bare(typingctx: Any, function: Any) -> Any:
-    """Return a compiled function without its address, with which nothing could be kept in a file.
+    """Return a compiled function without its address, which would prevent caching in a file.
 
-    Its type tells what is called.
+    Its type determines what is called.
     """
     return function(function), lambda context, builder, signature, given: context.get_dummy_value()
 
@@ -138,7 +139,7 @@ def fma(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
 
 @intrinsic
 def rint(typingctx: Any, a: Any) -> Any:
-    """Return the whole number next to a."""
+    """Return the whole number nearest to a."""
     return _machine("llvm.rint", 1)
 
 
@@ -156,9 +157,9 @@ def copysign(typingctx: Any, a: Any, b: Any) -> Any:
 
 @intrinsic
 def power_of_two(typingctx: Any, n: Any) -> Any:
-    """Return 2**n for a whole number n, where that is a normal number.
+    """Return 2**n for a whole number n, provided that the result is a normal number.
 
-    The last bits of n + 3/2 * 2**52 + bias are those of the exponent.
+    The last bits of n + 3/2 * 2**52 + bias are those of the result's exponent.
     """
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -182,18 +183,18 @@ def choose(typingctx: Any, condition: Any, a: Any, b: Any) -> Any:
 
 @intrinsic
 def widen(typingctx: Any) -> Any:
-    """Ask for the widest vectors in the loop that calls this, and for none that scatter.
+    """Ask for the widest vectors, without scatter stores, in the loop that calls this.
 
-    LLVM prefers half of them where it fears for the clock; loops of products and sums gain up to a
-    third from the whole. With vectors that scatter, results of several components take up to
-    twice as long.
+    LLVM prefers vectors of half the width where it fears a lower clock rate; loops of products and
+    sums gain up to a third from the full width. With scatter stores, results of several components
+    take up to twice as long.
     """
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         attributes = builder.function.attributes
-        # Inlined, it would be compiled as its caller asks.
+        # Inlined, it would be compiled with its caller's attributes.
         attributes.add("noinline")
-        # Added as a set's element, because llvmlite knows only attributes without values.
+        # Added by `set.add`, because llvmlite accepts only attributes without values.
         set.add(attributes, '"prefer-vector-width"="512"')
         features = context.codegen()._tm_features
         if "+avx512f" in features:
@@ -205,11 +206,11 @@ def widen(typingctx: Any) -> Any:
 
 @scalar
 def is_finite(a: float) -> bool:
-    """Say whether a number is neither infinite nor NaN."""
+    """Return whether a number is neither infinite nor NaN."""
     return abs(a) < math.inf
 
 
 @scalar
 def maximum(a: float, b: float) -> float:
-    """Return the larger number, NaN if one is."""
+    """Return the larger number, NaN if either is NaN."""
     return a if a >= b or a != a else b

@@ -1,6 +1,6 @@
-"""Arrays as compiled loops take them, piece by piece: plain ones are taken as they are.
+"""Arrays for compiled loops: plain ones are passed unchanged, others copied piece by piece.
 
-Numba would compile a loop anew where numbers lie apart, and where they may only be read.
+For arrays that are not contiguous or are read-only, numba would compile a loop anew.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
-# Number of points for which arguments are copied at once: the copies stay in a cache.
+# Number of points whose arguments are copied at once, so that the copies stay in a cache.
 PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
 
 
 def cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
-    """Cut the first axes so that no part has more than `size` points."""
+    """Yield indices that cut the first axes into parts of at most `size` points."""
     if not shape:
         yield ()
         return
@@ -34,10 +34,10 @@ def cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
 
 
 def are_plain(values: Iterable[Any]) -> bool:
-    """Say whether all arrays have their numbers beside each other, where they may be written."""
+    """Return whether all arrays among the values are C-contiguous, aligned and writeable."""
     return all(a.flags.carray for a in values if isinstance(a, np.ndarray))
 
 
 def make_plain(value: Any) -> Any:
-    """Return an array, or a copy, with its numbers beside each other; anything else as it is."""
+    """Return an array, copied unless it is plain; anything else unchanged."""
     return np.require(value, None, ["C", "A", "W"]) if isinstance(value, np.ndarray) else value

@@ -1,8 +1,9 @@
 """The loops of compiled kernels: over all points of flat arrays, or block by block.
 
-A kernel hands over the function that computes one point, from a function of its own, which is what
-is kept in a file: numba compiles each loop anew as a part of it. Arguments are flat arrays with one
-number for each point, `vector`s with more, and numbers or tuples of them for all points alike.
+A kernel passes the function that computes one point to a loop from one of its own functions. That
+function is cached in a file; numba compiles the loop anew as a part of it. Arguments are flat
+arrays with one number per point, `vector`s with several, and numbers or tuples common to all
+points.
 """
 
 from __future__ import annotations
@@ -17,21 +18,22 @@ from numba.np.arrayobj import load_item, store_item
 
 from mechproof.compiled_support.machine import apart, bare, widen, within
 
-# Number of points after which results of a fast loop are checked for NaN, and computed again then.
+# Number of points after which the results of a fast loop are checked for NaN and, if there is one,
+# computed again.
 BLOCK = 1024
 _REAL = types.float64
 
 
 @intrinsic(prefer_literal=True)
 def vector(typingctx: Any, values: Any, width: Any) -> Any:
-    """Return a flat array as one of `width` numbers for each point, and anything else as it is."""
+    """Return a flat array as one with `width` numbers per point; anything else unchanged."""
     if not isinstance(values, types.Array):
         return values(values, width), lambda context, builder, signature, given: given[0]
-    # With the width in its type, elements lie at distances that LLVM knows.
+    # With the width in the type, LLVM knows the strides of elements.
     kind = types.Tuple((values, types.UniTuple(types.none, width.literal_value)))
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
-        # Numba counts what is returned as held once more.
+        # numba expects a new reference to whatever is returned.
         context.nrt.incref(builder, values, given[0])
         return context.make_tuple(builder, kind, (given[0], context.get_constant_undef(kind[1])))
 
@@ -47,12 +49,12 @@ def _is_vector(kind: Any) -> bool:
 
 
 def _split(kind: Any) -> tuple[Any, int]:
-    """Return the type of an array, and how many of its numbers a point has."""
+    """Return the type of an array or a vector's array, and its count of numbers per point."""
     return (kind[0], len(kind[1])) if _is_vector(kind) else (kind, 1)
 
 
 def _make(context: Any, builder: Any, kind: Any, value: Any) -> Any:
-    """Return the array that a value is, or that a vector has."""
+    """Return the array of a value, which is an array or a vector."""
     held = builder.extract_value(value, 0) if _is_vector(kind) else value
     return context.make_array(_split(kind)[0])(context, builder, held)
 
@@ -60,7 +62,7 @@ def _make(context: Any, builder: Any, kind: Any, value: Any) -> Any:
 def _list_places(
     context: Any, builder: Any, kind: Any, value: Any, point: Any
 ) -> list[tuple[Any, Any]]:
-    """List where the numbers of a point lie in an array or several, with the types of these."""
+    """List pointers to the numbers of a point in one or several arrays, with the arrays' types."""
     if not _is_array(kind):
         parts = zip(kind, cgutils.unpack_tuple(builder, value), strict=True)
         return [place for part in parts for place in _list_places(context, builder, *part, point)]
@@ -76,7 +78,7 @@ def _list_places(
 
 @intrinsic
 def count_points(typingctx: Any, values: Any) -> Any:
-    """Return how many points an array has numbers of."""
+    """Return the number of points of an array or a vector."""
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         size = _make(context, builder, values, given[0]).nitems
@@ -87,7 +89,7 @@ def count_points(typingctx: Any, values: Any) -> Any:
 
 @intrinsic
 def take_point(typingctx: Any, arguments: Any, point: Any) -> Any:
-    """Return the numbers of a point as doubles, and what is true or false."""
+    """Return a tuple of the arguments at a point: numbers as doubles, booleans unchanged."""
     found = types.Tuple([part for kind in arguments for part in _list_taken(kind)])
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
@@ -103,7 +105,7 @@ def take_point(typingctx: Any, arguments: Any, point: Any) -> Any:
 
 
 def _list_taken(kind: Any) -> list[Any]:
-    """List the types of what is taken of an argument."""
+    """List the types of the values that a point takes from an argument."""
     if isinstance(kind, types.BaseTuple) and not _is_vector(kind):
         return [_REAL] * len(kind)
     array, width = _split(kind)
@@ -124,7 +126,7 @@ def _take(
 
 @intrinsic
 def put_point(typingctx: Any, target: Any, point: Any, values: Any) -> Any:
-    """Put what was computed of a point into an array, or into a tuple of them."""
+    """Store the results for a point in an array, or in a tuple of arrays."""
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         goal, number, value = given
@@ -140,7 +142,7 @@ def put_point(typingctx: Any, target: Any, point: Any, values: Any) -> Any:
 
 @intrinsic
 def get_width(typingctx: Any, target: Any) -> Any:
-    """Return how many numbers of a point lie beside each other."""
+    """Return how many adjacent numbers an array or a vector has for each point."""
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         return context.get_constant(types.intp, _split(target)[1])
@@ -150,7 +152,7 @@ def get_width(typingctx: Any, target: Any) -> Any:
 
 @intrinsic
 def count_nans(typingctx: Any, target: Any, index: Any) -> Any:
-    """Count the elements of arrays that are NaN at an index, whatever points they belong to."""
+    """Count the NaNs at a flat index of an array or of several, regardless of points."""
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         value, number = given
@@ -169,13 +171,13 @@ def count_nans(typingctx: Any, target: Any, index: Any) -> Any:
 
 @within
 def fill(value: Any, target: Any, arguments: Any) -> None:
-    """Fill a target with what `value` makes of each point."""
+    """Fill a target with the result of `value` at each point."""
     _fill_part(bare(value), target, arguments, 0, count_points(arguments[0]), ())
 
 
 @within
 def fill_blocks(value: Any, target: Any, arguments: Any) -> None:
-    """Fill a target by the fast way, and again by the exact one each block that has a NaN then."""
+    """Fill a target in the fast way, then each block that has a NaN again in the exact way."""
     size = count_points(arguments[0])
     for start in range(0, size, BLOCK):
         stop = min(start + BLOCK, size)

@@ -1,6 +1,6 @@
-"""Many points: what one loop computes of each and the next one takes.
+"""Many points: storage for what one loop computes for each point and the next one takes.
 
-The numbers of one kind lie beside each other, so that a loop which puts them can be vectorised.
+The numbers of one kind are adjacent, so that a loop that stores them can be vectorised.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-# Number of points in a block: fifty numbers of each stay in the fastest cache.
+# Number of points in a block: fifty numbers for each fit the fastest cache.
 POINTS = 64
 
 
 @intrinsic
 def own_row(typingctx: Any) -> Any:
-    """Return a place for one number of each point of a block.
+    """Return a pointer to space for one number for each point of a block.
 
-    It lies on the stack: LLVM sees that no argument lies there, and vectorises what fills it.
+    It is on the stack, so that LLVM sees that it aliases no argument, and vectorises loops over it.
     """
     kind = types.CPointer(types.float64)
 
@@ -34,7 +34,7 @@ def own_row(typingctx: Any) -> Any:
 
 @intrinsic
 def prefetch_row(typingctx: Any, table: Any, row: Any) -> Any:
-    """Ask for a row of a table, which need not exist, before it is read."""
+    """Prefetch a row of a table, which need not exist."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         array = context.make_array(signature.args[0])(context, builder, arguments[0])
@@ -43,7 +43,7 @@ def prefetch_row(typingctx: Any, table: Any, row: Any) -> Any:
         place = builder.gep(builder.bitcast(array.data, byte), [offset])
         function = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
         prefetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], function)
-        # The flags mean: for reading, into the nearest cache, data.
+        # The flags: for reading, into the nearest cache, data.
         builder.call(prefetch, [place, flag(0), flag(3), flag(1)])
         return context.get_dummy_value()
 
@@ -52,7 +52,7 @@ def prefetch_row(typingctx: Any, table: Any, row: Any) -> Any:
 
 @intrinsic
 def put(typingctx: Any, block: Any, point: Any, values: Any) -> Any:
-    """Put the numbers of tuples in tuples into a flat array, for one point of a block."""
+    """Store the numbers of nested tuples in a flat array, for one point of a block."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         places = _point_at(context, builder, signature, arguments)
@@ -65,7 +65,7 @@ def put(typingctx: Any, block: Any, point: Any, values: Any) -> Any:
 
 @intrinsic
 def take(typingctx: Any, block: Any, point: Any, example: Any) -> Any:
-    """Take what was put for one point, in tuples like those of the example."""
+    """Return the numbers stored for one point, in nested tuples like those of the example."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         places = _point_at(context, builder, signature, arguments)
@@ -76,7 +76,7 @@ def take(typingctx: Any, block: Any, point: Any, example: Any) -> Any:
 
 @intrinsic
 def count_numbers(typingctx: Any, example: Any) -> Any:
-    """Count the numbers of tuples in tuples."""
+    """Return the count of numbers in nested tuples."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return context.get_constant(types.intp, _count(example))
@@ -89,7 +89,7 @@ def _count(kind: Any) -> int:
 
 
 def _point_at(context: Any, builder: Any, signature: Any, arguments: Any) -> Iterator[Any]:
-    """Yield where the numbers of a point lie, one after another."""
+    """Yield pointers to the numbers of a point, one after another, endlessly."""
     block, point = arguments[:2]
     data = context.make_array(signature.args[0])(context, builder, block).data
     number = 0

@@ -1,7 +1,7 @@
-"""What compiled kernels add up: the terms of one set, or of many sets beside each other.
+"""Sums in compiled kernels: over the terms of one set, or of many sets side by side.
 
-Kernels hand over functions that compute one term, as they do for one point. What says where a term
-is found (`at`) is None for one set, else the number of the set and that of terms in a set.
+Kernels pass functions that compute one term, as they do for one point. The place of a term (`at`)
+is None for a single set, otherwise the number of the set and the number of terms in a set.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from mechproof.compiled_support.machine import apart, bare, choose, is_finite, w
 from mechproof.compiled_support.point_loops import put_point, take_point
 from mechproof.compiled_support.points import POINTS, own_row, prefetch_row
 
-# Most numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
+# The most numbers of an argument in a block of sets, so that a few arguments fit the fastest cache.
 LARGEST_BLOCK = 4096
-# Number of doubles in the widest vector.
+# Number of doubles in the widest vector register.
 LANES = 8
 _HOW = {"error_model": "numpy", "forceinline": True, "no_cfunc_wrapper": True}
 TAKEN = {"jit_options": _HOW, "strict": False}
@@ -28,7 +28,7 @@ TAKEN = {"jit_options": _HOW, "strict": False}
 
 @intrinsic
 def lend(typingctx: Any, values: Any) -> Any:
-    """Return arrays, in tuples or not, without counting references to them."""
+    """Return arrays, possibly in tuples, without their reference counts."""
 
     def strip(context: Any, builder: Any, kind: Any, value: Any) -> Any:
         if isinstance(kind, types.BaseTuple):
@@ -51,13 +51,13 @@ def lend(typingctx: Any, values: Any) -> Any:
 
 @intrinsic
 def hold(typingctx: Any, values: Any) -> Any:
-    """Keep the arrays alive until here."""
+    """Keep arrays alive up to this call."""
     return types.void(values), lambda context, builder, signature, given: context.get_dummy_value()
 
 
 @intrinsic
 def take_element(typingctx: Any, block: Any, index: Any, number: Any) -> Any:
-    """Return an element of a set in a block; numba would count who holds the array."""
+    """Return an element of a set in a block, without the reference counting numba would add."""
     array = block[0]
 
     def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
@@ -70,9 +70,9 @@ def take_element(typingctx: Any, block: Any, index: Any, number: Any) -> Any:
 
 
 def element(values: Any, at: Any, *indices: int) -> float:
-    """Return the element of a set that has these indices, or what is the same for all terms.
+    """Return the element of a set at some indices, or the value that all its terms share.
 
-    Before a loop over sets, where no set is told, that is a row: a number for each set.
+    Before a loop over sets, when `at` has no set yet, this is a row: a number for each set.
     """
     raise NotImplementedError("called in compiled functions only")
 
@@ -93,7 +93,7 @@ def _find_element(values: Any, at: Any, *indices: Any) -> Any:
 
 
 def count_inner(counts: Any) -> int:
-    """Return how often the inner index changes: once where there is none."""
+    """Return the number of values of the inner index, 1 if there is none."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -103,9 +103,9 @@ def _count_inner(counts: Any) -> Any:
 
 
 def add_up(term: Any, rest: Any, at: Any, row: int, counts: Any, arrays: Any, *exact: bool) -> Any:
-    """Return the sum of terms of one index or two, with the rest of every addition.
+    """Return the sum of terms over one or two indices, including the rest of every addition.
 
-    For many sets it is put into a row, and not again where all sets have the same terms.
+    For many sets the sums are put into a row, only once if all sets have the same terms.
     """
     raise NotImplementedError("called in compiled functions only")
 
@@ -136,7 +136,7 @@ def _add_set(term: Any, rest: Any, counts: Any, terms: Any) -> Any:
             total = high + value
             low += rest(high, value, total)
             high = total
-    # A sum that leaves the range of doubles has no rest.
+    # A sum that overflows has no valid rest.
     return choose(is_finite(low), high + low, high)
 
 
@@ -158,7 +158,7 @@ def _add_sets(term: Any, rest: Any, out: Any, counts: Any, terms: Any) -> None:
 
 
 def every(term: Any, at: Any, row: int, counts: Any, arrays: Any, *exact: bool) -> Any:
-    """Say whether all terms of one index or two are true; for many sets as `add_up`."""
+    """Return whether all terms over one or two indices are true; for many sets as `add_up`."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -201,7 +201,7 @@ def _ask_sets(term: Any, out: Any, counts: Any, terms: Any) -> None:
 
 @apart
 def _vary(blocks: Any, start: int) -> bool:
-    """Say whether sets of a block have other elements than those of the block before."""
+    """Return whether sums of a block must be computed: its sets vary, or it is the first block."""
     for _, varies in blocks:
         if varies:
             return True
@@ -212,10 +212,10 @@ def _vary(blocks: Any, start: int) -> bool:
 def fill_sets(
     value: Any, sums: Any, count: int, target: Any, terms: int, tables: Any, sizes: Any, exact: Any
 ) -> None:
-    """Fill a target with what `value` makes of numbers and sums, for blocks of sets.
+    """Fill a target with the values of `value` for numbers and sums, in blocks of sets.
 
-    `sums` returns what `value` takes, with at most `count` loops over terms; `sizes` are the
-    numbers of elements that a set has of each table.
+    `sums` returns the arguments of `value`, by at most `count` loops over terms; `sizes` are the
+    numbers of elements that each table has for one set.
     """
     sets = _count_sets(len(target), max(sizes))
     owned = make_blocks(tables, sizes, sets)
@@ -238,13 +238,13 @@ def _fill_sets(value: Any, target: Any, start: int, stop: int, found: Any, exact
 
 @apart
 def _count_sets(sets: int, elements: int) -> int:
-    """Return how many sets of so many elements are computed beside each other."""
+    """Return how many sets, of up to `elements` elements each, are computed side by side."""
     fitting = LARGEST_BLOCK // max(elements, 1) // LANES * LANES
     return max(min(sets, POINTS, max(fitting, LANES)), 1)
 
 
 def make_blocks(tables: Any, sizes: Any, sets: int) -> Any:
-    """Return a place for some sets of each table, and whether the table has several."""
+    """Return for each table a block to hold some sets, and whether the table has several rows."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -261,7 +261,7 @@ def _make_blocks(tables: Any, sizes: Any, sets: Any) -> Any:
 
 
 def put_blocks(blocks: Any, tables: Any, start: int, stop: int) -> None:
-    """Put the rows of some sets beside each other, for each table."""
+    """Copy the rows of some sets of each table into its block, one set per column."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -279,9 +279,9 @@ def _put_blocks(blocks: Any, tables: Any, start: Any, stop: Any) -> Any:
 
 @apart
 def _put_sets(block: Any, table: Any, start: int, stop: int) -> None:
-    """Put the rows of some sets beside each other; one row for all sets is put once.
+    """Copy the rows of some sets into a block, one set per column; a common row is copied once.
 
-    A single column stands for equal elements.
+    A single column in the table stands for equal elements.
     """
     step = 1 if table.shape[1] == len(block) else 0
     if len(table) > 1:

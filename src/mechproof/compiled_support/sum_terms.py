@@ -1,4 +1,4 @@
-"""What a compiled kernel of one point takes of arrays: how many terms, and a value for each."""
+"""Terms of a compiled kernel at one point: their number, and arrays with a value for each."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.compiled_support.sum_sets import TAKEN
 
 
 def count_terms(*values: Any) -> int:
-    """Return the number of terms: that of the first array with another length than 1."""
+    """Return the number of terms: the length of the first array whose length is not 1."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -28,9 +28,9 @@ def _count_terms(*values: Any) -> Any:
 
 
 def take_terms(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each term; a number or an array of one stands for equal ones.
+    """Return an array with one value per term; a number or an array of one is repeated.
 
-    Raises ValueError that names an array of another length.
+    Raises ValueError, naming the argument, for an array of another length.
     """
     raise NotImplementedError("called in compiled functions only")
 
@@ -45,7 +45,7 @@ def _take_row(name: Any, values: Any, terms: Any) -> Any:
         if values.size == terms:
             return values
         if values.size == 1:
-            # Contiguous like the array: loops have no strides to look at.
+            # Contiguous like an array of terms, so that loops need no strides.
             return np.full(terms, values[0])
         raise ValueError(
             f"{name}: last axis must have shape ({terms},), got shape ({values.size},)"
@@ -55,7 +55,7 @@ def _take_row(name: Any, values: Any, terms: Any) -> Any:
 
 
 def take_square(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each pair of terms; ValueError that names an array of another shape."""
+    """Return an array with a value per pair of terms; ValueError, naming it, for another shape."""
     raise NotImplementedError("called in compiled functions only")
 
 
@@ -76,6 +76,6 @@ def _take_square(name: Any, values: Any, terms: Any) -> Any:
 
 
 def _check_axes(values: Any, axes: int) -> None:
-    """Refuse what has other axes: compiled functions compute one point."""
+    """Raise TypingError unless the value is an array of `axes` axes, which belong to one point."""
     if not isinstance(values, types.Array) or values.ndim != axes:
         raise TypingError(f"a compiled function takes an array of {axes} axes here, got {values}")

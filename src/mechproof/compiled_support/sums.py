@@ -1,4 +1,4 @@
-"""Sums over axes of any length: arrays of every shape, and what compiled functions hand over."""
+"""Sums over axes of any length: kernels called with arrays of every shape."""
 
 from __future__ import annotations
 
@@ -15,8 +15,7 @@ from mechproof.compiled_support.loops import check_arrays, fill_target
 from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
-# With fewer sets than this, and sums of at least this length, sets are computed one after the
-# other.
+# Fewer sets than this, with sums of at least this length, are computed one after the other.
 FEW, LONG = 4, 1024
 
 
@@ -25,8 +24,8 @@ class Sums:
     """A compiled kernel that sums over axes: its arguments, and the loop over points.
 
     `axes` are the numbers of axes that are summed over, `widths` the lengths of other last axes.
-    `rows` takes a flat target, the number of terms, and of every argument a table: a row for each
-    point or one for all, a column for each element or one for all; `at` takes one point.
+    `rows` takes a flat target, the number of terms, and for every argument a table: a row for each
+    point or one for all, a column for each element or one for all; `at` computes one point.
     """
 
     names: tuple[str, ...]
@@ -40,20 +39,20 @@ class Sums:
 
     @cached_property
     def ranks(self) -> tuple[int, ...]:
-        """Return how many axes of each argument are none of points."""
+        """Return the number of last axes of each argument that are not axes of points."""
         return tuple(n or bool(width) for n, width in zip(self.axes, self.widths, strict=True))
 
 
 def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
-    """Return a kernel's values, in `out` if there is one.
+    """Return a kernel's values, stored in `out` if given.
 
     Raises
     ------
     TypeError, ValueError
-        As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
+        As NumPy kernels do; TypeError also for arrays that bring their own ufuncs.
 
     """
-    # The most usual arguments are recognised by type alone; all else costs as much as many points.
+    # The most usual arguments are recognised by type alone: all else costs as much as many points.
     is_double = all(map(_is_double, arguments))
     given = arguments if is_double else as_floats(" ".join(sums.names), *arguments, axes=sums.ranks)
     arrays = tuple(map(as_numpy, given))
@@ -65,10 +64,10 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
     arrays = tuple([next(rest) if n else a for a, n in zip(arrays, sums.axes, strict=True)])
     terms = next((a.shape[-1] for a in summed if a.shape[-1] != 1), 1)
     outer = [a.shape[: a.ndim - rank] for a, rank in zip(arrays, sums.ranks, strict=True)]
-    # Most shapes are equal, or are those of a single point.
+    # Most shapes are equal, or empty for a single point.
     several = {shape for shape in outer if shape}
     if len(several) > 1 and is_double:
-        # Raises where they do not broadcast, with a name.
+        # Raises an error that names the argument if they do not broadcast.
         as_floats(" ".join(sums.names), *arguments, axes=sums.ranks)
     points = np.broadcast_shapes(*several) if len(several) > 1 else next(iter(several), ())
 
@@ -90,7 +89,7 @@ def _fill(
     arrays: tuple[Any, ...],
     outer: list[tuple[int, ...]],
 ) -> None:
-    """Fill a target: what all points have in common is one row, copies stay in a cache."""
+    """Fill a target in parts whose copies fit a cache; values common to all points are one row."""
     points, given = target.shape, list(zip(arrays, outer, strict=True))
     are_alike = all(shape == points or math.prod(shape) == 1 for shape in outer)
     if are_alike and are_plain(arrays):
@@ -107,21 +106,21 @@ def _fill(
 
 
 def _spread(array: NDArray[Any], old: tuple[int, ...], new: tuple[int, ...]) -> NDArray[Any]:
-    """Broadcast the axes of points."""
+    """Return an array with its axes of points broadcast from one shape to another."""
     return np.broadcast_to(array, new + array.shape[len(old) :])
 
 
 def _table(array: NDArray[Any], outer: tuple[int, ...]) -> NDArray[Any]:
-    """Return a row for each of the points, which the first axes are of."""
+    """Return an array as a table: a row for each point, whose axes are the first ones."""
     depth, rows = len(outer), np.ascontiguousarray(array)
     if depth == 1 and rows.ndim == 2:
         return rows
-    # There is a point, so that the number of rows determines that of columns.
+    # There is at least one point, so the number of rows determines that of columns.
     return rows.reshape(math.prod(array.shape[:depth]), -1)
 
 
 def _fill_part(sums: Sums, part: NDArray[Any], terms: int, tables: list[NDArray[Any]]) -> None:
-    """Fill a flat part; few long sums gain nothing from lying beside each other."""
+    """Fill a flat part; a few long sums are computed singly, as they gain nothing side by side."""
     if len(part) >= FEW or max([table.shape[1] for table in tables]) < LONG:
         sums.rows(part, terms, *tables)
         return
@@ -131,7 +130,7 @@ def _fill_part(sums: Sums, part: NDArray[Any], terms: int, tables: list[NDArray[
 
 
 def _unpack(row: NDArray[Any], axes: int, terms: int) -> Any:
-    """Return what one point takes of a row: its numbers, or an array of terms."""
+    """Return the arguments of one point from a row of a table: numbers, or an array of terms."""
     if not axes:
         return row.tolist()
     if axes == 2:

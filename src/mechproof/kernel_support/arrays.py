@@ -12,25 +12,25 @@ from numpy.typing import NDArray
 from mechproof.arguments.scalars import refuse_units
 
 SCALARS = frozenset({float, np.float64, np.float32})
-# Types whose values are doubles, or become doubles as NumPy's would.
+# Types whose values are doubles, or become doubles as in NumPy.
 EXACT = frozenset({float, np.float64, np.int64})
-# Types on which Python's arithmetic and NumPy's agree; all others keep their own.
+# Types on which Python's arithmetic and NumPy's agree; all other types keep their own.
 PLAIN = SCALARS | {np.ndarray}
 BOOLS = frozenset({bool, np.bool})
 WEAK = (bool, int, float)
-# Subclasses without arithmetic of their own, or with one that is not element by element.
+# Subclasses of arrays without their own arithmetic, or with one that is not element by element.
 AS_ARRAYS = (np.memmap, np.matrix)
 DOUBLE, SINGLE, WHOLE = np.dtype(np.float64), np.dtype(np.float32), np.dtype(np.int64)
 
 
 def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDArray[Any], ...]:
-    """Convert the arguments `names` to one float type: arrays, numbers where there are no axes.
+    """Convert the arguments `names` to one float type: arrays, or numbers if there are no axes.
 
-    Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
-    type float64 become Python's, whose arithmetic rounds alike in a third of the time. Subclasses
-    of arrays and other arrays that bring their own ufuncs (masked, lazy) stay what they are,
-    matrices apart; of several arguments a masked number is NaN. `axes` are how many last axes of
-    each do not broadcast, none if left out.
+    Python numbers are weak; float32 if every array is float32, float64 otherwise. float64 scalars
+    become Python numbers, whose arithmetic rounds alike in a third of the time. Subclasses of
+    arrays (other than matrices) and other arrays that bring their own ufuncs (masked, lazy) stay
+    what they are; with several arguments, a masked scalar becomes NaN. `axes` are the numbers of
+    last axes that do not broadcast, one for each argument, by default 0.
 
     Raises
     ------
@@ -60,9 +60,9 @@ def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDA
 
 
 def _as_doubles(values: tuple[Any, ...]) -> tuple[Any, ...] | None:
-    """Return doubles as arrays and Python's numbers, None if there is anything else.
+    """Return doubles as arrays and Python numbers; None if there is anything else.
 
-    What is told here by types alone takes a fifth of the time that any conversion takes.
+    Recognition by types alone takes a fifth of the time of a conversion.
     """
     found = []
     for value in values:
@@ -78,7 +78,7 @@ def _as_doubles(values: tuple[Any, ...]) -> tuple[Any, ...] | None:
 
 
 def _check_shapes(names: str, arrays: tuple[Any, ...], axes: tuple[int, ...]) -> None:
-    """Raise ValueError that names an array whose shape, last axes apart, does not broadcast."""
+    """Raise ValueError, naming it, for an array whose shape before `axes` does not broadcast."""
     common: tuple[int, ...] = ()
     for i, array in enumerate(arrays):
         count = axes[i] if axes else 0
@@ -99,14 +99,14 @@ def _name_last(count: int) -> str:
 
 
 def as_numpy(value: Any) -> Any:
-    """Return a Python number as NumPy's, and all else as it is."""
+    """Return a Python float as a NumPy scalar; anything else unchanged."""
     return np.float64(value) if type(value) is float else value
 
 
 def as_numbers(values: tuple[Any, ...]) -> tuple[float, ...] | None:
-    """Return Python's numbers for doubles and for arrays of one; None if there is anything else.
+    """Return Python numbers for doubles and for arrays of one; None if there is anything else.
 
-    What is computed of numbers takes a fifth of what arrays of one element take.
+    Computing with numbers takes a fifth of the time of arrays with one element.
     """
     for value in values:
         if type(value) is not float:
@@ -144,24 +144,24 @@ def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def _show(value: Any) -> str:
-    """Write a value in a few words, a single one without the array around it."""
+    """Return an abridged text of a value; a zero-dimensional array is shown as its number."""
     is_single = type(value) is np.ndarray and not value.shape
     return " ".join(reprlib.repr(value.item() if is_single else value).split())
 
 
 def _weaken(arrays: list[Any]) -> tuple[Any, ...]:
-    """Turn doubles into Python's beside plain arrays; foreign ones may tell them apart."""
+    """Turn float64 scalars into Python floats among plain arrays; foreign ones may differ."""
     if not PLAIN.issuperset(map(type, arrays)):
         return tuple(arrays)
     return tuple(float(a) if type(a) is np.float64 else a for a in arrays)
 
 
 def _as_array(name: str, value: Any) -> Any:
-    """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
+    """Return an array, a NumPy scalar if it has no axes, or an object with its own ufuncs."""
     if type(value) is float:
         return np.float64(value)
     if type(value) in PLAIN:
-        # Taken out of its array, an object would have no dtype.
+        # Taken out of its array, an object would lose the dtype.
         return value if value.shape or value.dtype.hasobject else value[()]
     refuse_units(name, value)
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
@@ -171,19 +171,19 @@ def _as_array(name: str, value: Any) -> Any:
             raise ValueError(
                 f"{name}: expected a number or rows of one length, got {_show(value)}"
             ) from None
-    # A foreign scalar gets a dtype and stays what it is.
+    # A foreign scalar gets a dtype but keeps its kind.
     return value if hasattr(value, "dtype") else np.multiply(value, np.float64(1.0))
 
 
 def _unmask(value: Any) -> Any:
-    """Return a masked number as NaN: compared it would be neither true nor false."""
+    """Return a masked scalar as NaN, as comparing it would give neither true nor false."""
     if isinstance(value, np.ma.MaskedArray) and not value.shape:
         return np.float64(nan) if value.mask else value.data[()]
     return value
 
 
 def cast(array: Any, dtype: np.dtype[Any]) -> Any:
-    """Return an array of a type, a NumPy scalar where there are no axes."""
+    """Return an array of a dtype, or a NumPy scalar if there are no axes."""
     found = array if array.dtype == dtype else array.astype(dtype)
     return found[()] if type(found) is np.ndarray else found
 
@@ -194,10 +194,10 @@ def check_components(name: str, array: Any, count: int) -> None:
     Raises
     ------
     TypeError
-        If the array cannot be indexed by axes, as a series of pandas; the message names the
+        If the array cannot be indexed by axes, like a pandas series; the message names the
         argument.
     ValueError
-        If the last axis has not `count` components; the message names the argument.
+        If the last axis does not have `count` components; the message names the argument.
 
     """
     if type(array) is float or array.shape[-1:] != (count,):
@@ -223,7 +223,7 @@ def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], .
 
 
 def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
-    """Check that the axes to be summed over have one length; a scalar stands for equal elements.
+    """Check that all axes to sum over have the same length; a scalar stands for equal elements.
 
     Raises
     ------
@@ -241,7 +241,7 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
 
 
 def _spread_axes(arguments: dict[str, tuple[Any, int]]) -> tuple[NDArray[Any], ...]:
-    """Make arrays of scalars; ValueError for an axis of another length than the others."""
+    """Return scalars as arrays; ValueError for an axis that differs in length from the others."""
     arguments = {name: (as_numpy(array), axes) for name, (array, axes) in arguments.items()}
     lengths = [n for array, axes in arguments.values() for n in array.shape[-axes:]]
     length = next((n for n in lengths if n != 1), 1)
@@ -258,7 +258,7 @@ def _spread_axes(arguments: dict[str, tuple[Any, int]]) -> tuple[NDArray[Any], .
 
 
 def _spread_mask(array: NDArray[Any], axes: int) -> NDArray[Any]:
-    """Mask all terms of a sum if one is masked: NumPy would leave that one out, as if it were 0."""
+    """Mask all terms of a sum if one is masked: NumPy would skip that one, as if it were 0."""
     if not isinstance(array, np.ma.MaskedArray):
         return array
     mask = np.ma.getmaskarray(array).any(axis=tuple(range(-axes, 0)), keepdims=True)

@@ -1,4 +1,4 @@
-"""Evaluation of kernels in blocks of points, and what results are stored in."""
+"""Evaluation of kernels in blocks of points, and the storing of results."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from mechproof.kernel_support.arrays import (
     cast,
 )
 
-# Numbers per block, arguments and results together: with the temporaries of one expression they
-# stay in a core's own cache, and the temporaries in pages that the process already has.
+# Numbers per block, of arguments and results together: with the temporaries of one expression they
+# fit a core's own cache, and the temporaries fit pages that the process already has.
 BLOCK = 16384
-# Length from which a loop along the last axis costs more than its start.
+# Length from which a loop along the last axis costs more than starting it.
 LONG_LOOP = 64
-# Arrays whose views behave like arrays: a matrix never gets flat, and a mask would stay.
+# Arrays whose views behave like arrays: a matrix never becomes flat, and a mask would persist.
 WRITTEN = frozenset({np.ndarray, np.memmap})
 # A function of arrays that returns an array or a tuple of them.
 Function = Any
 
 
 def store(value: Any, out: NDArray[Any] | None) -> Any:
-    """Return `value`, in `out` if there is one; TypeError, ValueError if it does not fit."""
+    """Return `value`, stored in `out` if given; TypeError or ValueError if it does not fit."""
     if out is None or out is value:
         return value
     check_out(out, np.shape(value), value.dtype)
@@ -58,7 +58,7 @@ def check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
 def _find_target(
     out: Any, shape: tuple[int, ...], dtype: np.dtype[Any], arrays: tuple[Any, ...]
 ) -> NDArray[Any] | None:
-    """Return `out` if results may be written while arguments are still read, None otherwise."""
+    """Return `out` if results may be written to it while arguments are still read, else None."""
     if out is None:
         return None
     check_out(out, shape, dtype)
@@ -79,7 +79,7 @@ def _list_indices(shape: tuple[int, ...]) -> tuple[tuple[Any, ...], ...]:
 
 
 def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
-    """Put components on last axes of the given shape; what is masked or lazy stays so."""
+    """Stack components on last axes of the given shape, keeping masked or lazy arrays so."""
     common = np.broadcast_shapes(*map(np.shape, components))
     kind = next((c for c in components if type(c) not in PLAIN), None)
     if isinstance(kind, np.ndarray):
@@ -93,7 +93,7 @@ def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
 
 
 def quietly() -> np.errstate:
-    """Return the context of points that may leave the domain: NaN is the answer, not a warning."""
+    """Return a context for points that may leave the domain, which gives NaN without a warning."""
     return np.errstate(invalid="ignore", divide="ignore")
 
 
@@ -109,14 +109,14 @@ def in_blocks(
 ) -> Any:
     """Return evaluate(*running, *prepare(*parameters)), broadcast, a block of points at a time.
 
-    With a `shape`, `evaluate` returns the components of that shape's last axes. float32 is
-    computed in float64. Arrays with ufuncs of their own are evaluated in one piece. `quiet`: the
-    points may leave the domain, where NaN is the documented answer and no warning is due.
+    With a `shape`, `evaluate` returns the components on last axes of that shape. float32 is
+    computed in float64. Arrays with their own ufuncs are evaluated in one piece. `quiet`: the
+    points may leave the domain, where NaN is the documented result and no warning is due.
 
     Raises
     ------
     TypeError, ValueError
-        If `out` is no array of the result's type and shape, or shapes do not broadcast.
+        If `out` is not an array of the result's type and shape, or shapes do not broadcast.
 
     """
     if quiet:
@@ -128,17 +128,17 @@ def in_blocks(
                 return _evaluate_few(evaluate, running, prepare, parameters, few, out)
         return _evaluate(evaluate, running, prepare, parameters, out, shape)
     except ArithmeticError:
-        # Python raises where NumPy gives infinity or NaN, and single precision is left to NumPy.
+        # Python raises where NumPy returns infinity or NaN; single precision is left to NumPy.
         numbers = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
         return _evaluate(evaluate, numbers[0], prepare, numbers[1], out, shape)
 
 
-# As a decorator the context costs half of what it costs around a block.
+# As a decorator, the context costs half as much as in a `with` statement.
 _in_quiet_blocks = quietly()(in_blocks)
 
 
 def _find_few(arrays: tuple[Any, ...]) -> tuple[int, ...] | None:
-    """Return the shape of few points if there are numbers and arrays of it alone, all doubles."""
+    """Return the shape of few points if all are doubles, as numbers or arrays of it; else None."""
     shape: tuple[int, ...] = ()
     for array in arrays:
         if type(array) is not float:
@@ -158,7 +158,7 @@ def _evaluate_few(
     shape: tuple[int, ...],
     out: NDArray[Any] | None,
 ) -> Any:
-    """Evaluate few points, one alone in numbers: arrays take five times as long."""
+    """Evaluate few points; a single one in numbers, as arrays take five times as long."""
     if not shape:
         return store(np.float64(evaluate(*running, *prepare(*parameters))), out)
     numbers = as_numbers((*running, *parameters))
@@ -190,7 +190,7 @@ def _evaluate(
     together = large[0] if len(large) == 1 else np.broadcast(*large)
     dtype = large[0].dtype if large else as_numpy(arrays[0]).dtype
     if large and type(running[0]) is float:
-        # Beside single precision a Python number would not count as a double.
+        # Combined with single precision, a Python number would not count as a double.
         running, parameters = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
     is_small = 2 * together.size <= BLOCK
     if is_small:
@@ -223,8 +223,7 @@ def _fill(
     count = len(running)
     parts = _components(target, shape)
     if all(np.size(p) < parts[0].size for p in parameters):
-        # With fewer parameters than points, the results that depend on them alone are computed
-        # once.
+        # With fewer parameters than points, results of parameters alone are computed only once.
         arrays = (*running, *prepare(*(cast(p, DOUBLE) for p in parameters)))
         compute = evaluate
     else:
@@ -265,16 +264,16 @@ def _fill(
 
 
 def _is_outer(target: NDArray[Any], arrays: list[Any]) -> bool:
-    """Say whether arrays of different shapes meet: buffers would repeat what slices keep short.
+    """Return whether to cut slices: arrays of different shapes would be repeated in buffers.
 
-    A short last axis would make short loops of slices.
+    Not for a short last axis, which would make the loops over slices short.
     """
     together = any(array.size < target.size for array in arrays)
     return together and target.shape[-1] >= LONG_LOOP
 
 
 def _cut(shape: tuple[int, ...], size: int) -> list[tuple[slice, ...]]:
-    """Cut the first axes so that no part has more than `size` numbers."""
+    """Return indices that cut the first axes into parts of at most `size` numbers."""
     first, *rest = shape
     row = int(np.prod(rest))
     if row > size:
@@ -286,7 +285,7 @@ def _cut(shape: tuple[int, ...], size: int) -> list[tuple[slice, ...]]:
 
 
 def _slice(array: NDArray[Any], index: tuple[slice, ...]) -> NDArray[Any]:
-    """Return a part of an array that broadcasts to the shape that `index` cuts."""
+    """Return the part of an array that belongs to an index of the shape it broadcasts to."""
     whole = (1,) * (len(index) - array.ndim) + array.shape
     parts = (part if n > 1 else slice(None) for n, part in zip(whole, index, strict=True))
     return array.reshape(whole)[tuple(parts)]
@@ -300,7 +299,7 @@ def transform(
     out: NDArray[Any] | None = None,
     quiet: bool = False,
 ) -> Any:
-    """Return M @ p + v for each p of `points`, `coefficients` giving M row by row, then v.
+    """Return M @ p + v for each p of `points`; `coefficients` returns M row by row, then v.
 
     Raises as `in_blocks`.
     """
@@ -325,7 +324,7 @@ def transform(
     matrix, shift = values[:-count].reshape(count, count).T, values[-count:]
     source, rows = points.reshape(-1, count), target.reshape(-1, count)
     size = max(min(len(rows), BLOCK // (2 * count)), 1)
-    # NumPy broadcasts rows of three slowly; the shift is repeated along a block instead.
+    # NumPy is slow to broadcast rows of three, so the shift is repeated along a block instead.
     shifts = np.empty((size, count))
     for i in range(count):
         shifts[:, i] = shift[i]

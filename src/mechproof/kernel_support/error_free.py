@@ -1,4 +1,4 @@
-"""Error-free transformations of doubles, point by point: the rests that a rounding leaves.
+"""Error-free transformations of doubles, point by point: the rests that roundings leave.
 
 Products are split by Veltkamp's method (1968) and recovered by Dekker's (1971), without a fused
 multiply-add. See Muller et al., Handbook of Floating-Point Arithmetic (2018, chapter 4).
@@ -11,23 +11,24 @@ from typing import Any
 import numpy as np
 
 DOUBLE = np.dtype(np.float64)
-# Constants as arrays without axes, which NumPy need not convert in every operation.
+# Constants as zero-dimensional arrays, which NumPy need not convert in every operation.
 DOWN, FACTOR, UP = np.asarray(2.0**-28), np.asarray(2.0**27 + 1), np.asarray(2.0**28)
 LOWEST, HIGHEST = np.asarray(-1.0), np.asarray(1.0)
 
 
 def sum_rest(a: Any, b: Any, s: Any) -> Any:
-    """Return a + b - s for s the rounded a + b: exact where |b| <= |a| (Dekker 1971)."""
+    """Return a + b - s, s being the rounded a + b: exact where |b| <= |a| (Dekker 1971)."""
     return b - (s - a)
 
 
 def product_rest(a: Any, b: Any, p: Any) -> Any:
-    """Return a*b - p for p the rounded a*b: exact above 2**-969 (Dekker 1971)."""
+    """Return a*b - p, p being the rounded a*b: exact above 2**-969 (Dekker 1971)."""
     a_high, a_low = _split(a)
     b_high, b_low = _split(b)
     if type(p) is not np.ndarray or p.dtype is not DOUBLE:
         return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
-    # The same in place: arrays without axes cost half of what numbers do beside an array.
+    # The same in place: combined with an array, zero-dimensional arrays cost half of what numbers
+    # do.
     a_high, a_low, b_high, b_low = map(np.asarray, (a_high, a_low, b_high, b_low))
     rest = a_high * b_high
     rest -= p
@@ -39,13 +40,13 @@ def product_rest(a: Any, b: Any, p: Any) -> Any:
 
 
 def quotient_rest(a: Any, b: Any, q: Any) -> Any:
-    """Return a/b - q for q the rounded a/b, to half an ulp of itself."""
+    """Return a/b - q, q being the rounded a/b, to half an ulp of itself."""
     p = q * b
     return ((a - p) - product_rest(q, b, p)) / b
 
 
 def small_tangent(y: Any) -> Any:
-    """Return tan(y) for y the half of a low word, which is y; kept within +-1."""
+    """Return tan(y), y being half of a low word: that is y, limited to [-1, 1]."""
     if type(y) is float:
         return -1.0 if y < -1.0 else 1.0 if y > 1.0 else y
     if type(y) is not np.ndarray or y.dtype is not DOUBLE:
@@ -56,7 +57,7 @@ def small_tangent(y: Any) -> Any:
 def _split(a: Any) -> tuple[Any, Any]:
     """Split a double into two of at most 26 bits (Veltkamp 1968)."""
     # Scaled down, so that the largest double does not overflow; below 2**-994 the high half has
-    # fewer bits, which is as good.
+    # fewer bits, which does no harm.
     if type(a) is not np.ndarray or a.dtype is not DOUBLE or not a.ndim:
         small = a * 2.0**-28
         scaled = small * (2.0**27 + 1)
@@ -71,13 +72,13 @@ def _split(a: Any) -> tuple[Any, Any]:
 
 
 def single(value: Any) -> Any:
-    """Return the value in float32."""
+    """Return the value in float32; ArithmeticError for Python numbers, to try NumPy's."""
     if type(value) is float:
-        # Beside float32 Python's numbers would not count as doubles; NumPy's come instead.
+        # Combined with float32, Python numbers would not count as doubles.
         raise ArithmeticError("a number of Python's has no single precision")
     return value.astype(np.float32)
 
 
 def whole_turns_off(x: Any) -> Any:
-    """Return x less the multiple of the double next to 2*pi that is nearest to it."""
+    """Return x less the nearest multiple of the double 2*pi."""
     return x - 2 * np.pi * np.rint(x / (2 * np.pi))

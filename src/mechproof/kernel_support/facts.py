@@ -10,9 +10,9 @@ Size = float | tuple[float, float, float]
 
 
 class Condition(NamedTuple):
-    """What the parameters `names` satisfy where the `quantities` are defined.
+    """A condition that the parameters `names` satisfy where the `quantities` are defined.
 
-    `holds` takes them in this order; `parameter` is the one to blame, `text` says what is allowed.
+    `holds` takes them in this order; `parameter` is the one to blame, `text` states the condition.
     """
 
     parameter: str
@@ -23,7 +23,7 @@ class Condition(NamedTuple):
 
 
 class Sizes(NamedTuple):
-    """Sizes that the paper prints (mm, rad), and the marks of what they rest on."""
+    """Sizes that the paper prints (mm, rad), and marks for what they rest on."""
 
     source: str
     sizes: Mapping[str, Size]

@@ -1,4 +1,4 @@
-"""Functions in formulas: NumPy's with the same values for Python's numbers, and sums of arrays."""
+"""Functions in formulas: NumPy's, with the same values for Python numbers, and sums of arrays."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NUMBERS = frozenset({float, np.float64})
 
 
 def add_up(terms: Any, axis: Any) -> Any:
-    """Return np.sum(terms, axis), of a plain array without NumPy's search for other ways."""
+    """Return np.sum(terms, axis), for a plain array without NumPy's dispatch."""
     if type(terms) is np.ndarray:
         return np.add.reduce(terms, axis)
     return np.sum(terms, axis=axis)
@@ -36,27 +36,28 @@ def quadratic_form(vector: Any, matrix: Any) -> Any:
 
 
 def nonnegative_form(vector: Any, matrix: Any) -> Any:
-    """Return the quadratic form of a matrix that makes none negative, 0 where rounding made one so.
+    """Return the form of a positive semidefinite matrix, 0 where only rounding made it negative.
 
-    Farther below 0 than n terms of two sums and their factors can be rounded it stays negative.
+    A value stays negative if it is farther below 0 than the roundings of two sums of n terms and of
+    their factors explain.
     """
     found = quadratic_form(vector, matrix)
     if type(found) in PLAIN and (find_extremes(found)[0] >= 0.0 or not np.any(found < 0.0)):
         return found
     eps = np.finfo(found.dtype).eps
     rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
-    # A product keeps the mask or the unit; that of two negative numbers is no negative zero.
+    # A product keeps the mask or the unit; as both factors are negative, the zero is positive.
     factor = np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
     return found * factor.astype(found.dtype, copy=False)
 
 
 def square(a: Any) -> Any:
-    """Return a*a: of numbers a**2 calls pow, which may round another way."""
+    """Return a*a: for numbers a**2 calls pow, which may round differently."""
     return a * a
 
 
 def floor(a: Any) -> Any:
-    """Return np.floor(a), of Python's numbers one of them."""
+    """Return np.floor(a), a Python number for a Python number."""
     if type(a) is not float:
         return np.floor(a)
     return a // 1.0 if -inf < a < inf else a
@@ -84,7 +85,7 @@ def hypot(a: Any, b: Any) -> Any:
     found = np.hypot(a, b)
     if type(found) is np.float64:
         return found if found < inf else abs(a) + abs(b)
-    # No number exceeds the root, so that the maximum changes it only where the other side is NaN.
+    # Neither side exceeds the root, so the maximum changes it only where a side is NaN.
     if type(found) is np.ndarray:
         np.maximum(found, a, out=found)
         return np.maximum(found, b, out=found)
@@ -92,7 +93,7 @@ def hypot(a: Any, b: Any) -> Any:
 
 
 def maximum(a: Any, b: Any) -> Any:
-    """Return np.maximum(a, b), of two numbers without a call of it."""
+    """Return np.maximum(a, b), for two unequal numbers without calling it."""
     if type(a) in NUMBERS and type(b) in NUMBERS:
         if a > b:
             return a
@@ -102,7 +103,7 @@ def maximum(a: Any, b: Any) -> Any:
 
 
 def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
-    """Return np.where(condition, value, otherwise), masked if one of them is."""
+    """Return np.where(condition, value, otherwise), masked if any of the three is."""
     if type(condition) in BOOLS and SCALARS.issuperset((type(value), type(otherwise))):
         return value if condition else otherwise
     if type(condition) is type(value) is type(otherwise) is np.ndarray:

@@ -1,4 +1,4 @@
-"""The order of doubles: whole numbers that neighbours differ in by one, zero being 0."""
+"""The order of doubles: whole numbers that differ by one for neighbours, with 0 for zero."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def to_order(values: ArrayLike) -> NDArray[np.int64]:
 
 
 def from_order(places: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the doubles at the places."""
+    """Return the doubles at places in their order."""
     bits: Any = np.where(places < 0, LOWEST | -places, places)
     return np.asarray(bits, np.int64).view(np.float64)
 

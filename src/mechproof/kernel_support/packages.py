@@ -1,4 +1,4 @@
-"""Modules of a package that are found under their names without an import of their own."""
+"""Lazy modules: attributes of a package that are imported when they are first used."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from types import ModuleType
 
 
 def find_modules(package: str) -> Callable[[str], ModuleType]:
-    """Return the `__getattr__` of a package, which imports its modules when they are first named.
+    """Return a `__getattr__` for a package that imports its modules when they are first used.
 
-    It raises AttributeError for what is no module of the package.
+    It raises AttributeError for a name that is no module of the package.
     """
 
     def find(name: str) -> ModuleType:
