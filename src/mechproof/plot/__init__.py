@@ -7,7 +7,7 @@ not used. Needs the `plot` extra (matplotlib); the figures of papers need the `d
 - `pitch_curves`: the wheels in mesh at an angle of the carrier, to scale;
 - `tolerance`: the range of a quantity within the tolerances of its sizes;
 - `shares`: shares of accepted and rejected parts, exact and simulated;
-- `figures`: what a paper's folder states of its figures, and the files made of it.
+- `figures`: the figures that a paper's folder defines, and files of them.
 
 >>> from mechproof import EllipticPlanetary, plot
 >>> position, ratio, acceleration = plot.motion(EllipticPlanetary.published(2))

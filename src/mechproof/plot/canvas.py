@@ -1,4 +1,4 @@
-"""What all pictures share: matplotlib where it is installed, a style that none keeps, axes."""
+"""Shared by all pictures: matplotlib if it is installed, a temporary style, canvases and axes."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 # A millimetre in inches, and the width of one column of a page in mm.
 MILLIMETRE = 1 / 25.4
 COLUMN = 85.0
-# Size of letters in points: smaller ones cannot be read at the width of a column.
+# Size of letters in points: smaller ones are illegible at the width of a column.
 SMALL = 7.0
-# Steps of an axis in degrees, and the most steps that it may have.
+# Tick distances of an axis in degrees, and the most steps that it may have.
 DEGREES = (*(1e-6, 1e-5, 1e-4, 1e-3), 0.01, 0.1, 1, 2, 5, 10, 15, 30, 60, 90, 180, 360, 720, 3600)
 MOST_TICKS = 12
 STYLE: Mapping[str, Any] = {
@@ -62,7 +62,7 @@ class LineStyle:
 
 
 def import_matplotlib() -> ModuleType:
-    """Return matplotlib; ImportError names the extra where it is missing."""
+    """Return matplotlib; ImportError, naming the extra, if it is missing."""
     require_modules("a picture", "plot", ("matplotlib",))
     import matplotlib
 
@@ -71,9 +71,9 @@ def import_matplotlib() -> ModuleType:
 
 @contextmanager
 def use_style(more: Mapping[str, Any] | None = None) -> Iterator[None]:
-    """Hold matplotlib's defaults with the style of the pictures inside the context alone.
+    """Set matplotlib's defaults and the style of the pictures inside the context only.
 
-    Threads take turns: what matplotlib's context restores is the process's.
+    Threads take turns, as the settings that matplotlib's context restores are global.
     """
     import_matplotlib()
     from matplotlib import style
@@ -83,7 +83,7 @@ def use_style(more: Mapping[str, Any] | None = None) -> Iterator[None]:
 
 
 def make_canvas(width: float = COLUMN, height: float = 60.0) -> Figure:
-    """Return an empty figure of a size in mm, without pyplot; inside `use_style`, in the style."""
+    """Return an empty figure of a size in mm, without pyplot; within `use_style`, in its style."""
     import_matplotlib()
     from matplotlib.figure import Figure
 
@@ -91,16 +91,16 @@ def make_canvas(width: float = COLUMN, height: float = 60.0) -> Figure:
 
 
 def check_drawn(name: str, given: Any, kind: type, field: str, shape: tuple[int, ...]) -> None:
-    """Raise an error for what is not of the kind, or whose `field` is not of the inputs' shape."""
+    """Raise TypeError for an object of another kind, ValueError for a `field` of another shape."""
     require(isinstance(given, kind), name, given, f"must be a {kind.__name__}", TypeError)
     found = np.shape(getattr(given, field))
     require(found == shape, name, found, f"must be of the inputs' shape, {shape}")
 
 
 def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axes]:
-    """Return the `count` axes that are given, or new ones below each other on a canvas.
+    """Return the `count` given axes, or new ones below each other on a canvas if None is given.
 
-    Raises TypeError for what is no axes, or another number of them.
+    Raises TypeError unless exactly `count` axes are given.
     """
     import_matplotlib()
     from matplotlib.axes import Axes
@@ -116,7 +116,7 @@ def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axe
 
 
 def tick_degrees(axis: Axis, span: float) -> None:
-    """Tick an axis of so many degrees every 30, or at multiples or parts of it that can be read."""
+    """Tick an axis of `span` degrees every 30 or, if that is not legible, at another round step."""
     from matplotlib.ticker import MultipleLocator
 
     # The last digits of a computed angle are rounding errors.
@@ -127,7 +127,7 @@ def tick_degrees(axis: Axis, span: float) -> None:
 
 
 def write(value: float, digits: int = 4) -> str:
-    """Write a number in so many significant digits, with a minus as the axes have it."""
+    """Return a number's text with some significant digits, and with the minus sign of axes."""
     return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
 
 
@@ -138,9 +138,9 @@ def label(
     aside: tuple[float, float] = (4, 3),
     **kept: Any,
 ) -> None:
-    """Write at a place in the data, aside of it by so many points: right or left, above or below.
+    """Write a text at a place in the data, offset by `aside` points to the right and upwards.
 
-    Zero is centred.
+    The text extends away from the place; for an offset of zero it is centred.
     """
     right, up = aside
     panel.annotate(

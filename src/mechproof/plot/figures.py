@@ -1,7 +1,7 @@
-"""The figures of a paper: what its folder states of them, and the files made of it.
+"""The figures of a paper: their definitions in its folder, and files of them.
 
-A derivation that is a folder may hold `pictures.py`, which binds FIGURES, a tuple of `Figure`. It
-is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mechproof.plot`.
+A derivation that is a folder may contain `pictures.py`, which binds FIGURES, a tuple of `Figure`.
+It is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mechproof.plot`.
 """
 
 from __future__ import annotations
@@ -24,37 +24,37 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
 PART: Final = "pictures"
-# A style that matplotlib gives in a rule that would hold for the whole page.
+# A style that matplotlib writes as a rule, which would apply to the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
-# The font that matplotlib gives for each text; other machines have one of the same widths, or
-# another.
+# The font that matplotlib states for each text; other machines have one of the same widths, or
+# another one.
 FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
 FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
-# Matches a letter with an index in a caption.
+# A letter with an index, in a caption.
 NAME = re.compile(r"\b([^\W\d_]+)_(\w+)")
-# Sizes in a caption in mm: the average width of a letter, and the distance of lines.
+# Sizes in captions, in mm: a point, the average width of a letter, and the line spacing.
 POINT = 25.4 / 72
 LETTER, LINE = 0.54 * SMALL * POINT, 1.35 * SMALL * POINT
 
 
 class DrawingError(RuntimeError):
-    """A figure could not be drawn."""
+    """Raised if a figure cannot be drawn."""
 
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure of a paper: what it says of itself, and how it is drawn.
+    """One figure of a paper: its texts, and how it is drawn.
 
     Parameters
     ----------
     name : str
         Stem of its files, of small letters, digits and hyphens: "fig-3".
     number : str or None
-        As the paper prints it, "Fig. 3"; None for one that the paper does not have.
+        Number as the paper prints it, "Fig. 3"; None for a figure that the paper does not have.
     title : str
-        A sentence that says what is seen.
+        A sentence that states what the figure shows.
     caption : str
         What is drawn, which numbers are the paper's and which are ours.
     after : str
@@ -67,7 +67,7 @@ class Figure:
     Raises
     ------
     TypeError, ValueError
-        For a name or a size that is none; the message names it.
+        If the name, `draw` or a size is invalid; the message names it.
 
     """
 
@@ -81,7 +81,7 @@ class Figure:
     height: float = 60.0
 
     def __post_init__(self) -> None:
-        """Check the name, the sizes and that it can be drawn."""
+        """Check the name, the sizes and that `draw` is callable."""
         named = isinstance(self.name, str) and re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name)
         require(named, "name", self.name, "must be of small letters, digits and single hyphens")
         require(callable(self.draw), "draw", self.draw, "must be callable", TypeError)
@@ -91,12 +91,12 @@ class Figure:
 
 
 def find_figures(place: Path) -> tuple[Figure, ...]:
-    """Return the figures of a derivation, a folder or a file; () where it has no pictures.py.
+    """Return the figures of a derivation, a folder or a file; () if it has no pictures.py.
 
     Raises
     ------
     DerivationError
-        If it cannot be loaded, binds no tuple of `Figure` to FIGURES, or two of one name.
+        If it cannot be loaded, binds no tuple of `Figure` to FIGURES, or has two of one name.
 
     """
     from mechproof.derivation import DerivationError, load_part
@@ -116,7 +116,7 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
 
 
 def draw(figure: Figure) -> Canvas:
-    """Draw a figure at its size; what pyplot and rcParams hold stays as it is.
+    """Draw a figure at its size, leaving pyplot and rcParams unchanged.
 
     Raises `DrawingError` with the line at which the drawing failed.
     """
@@ -127,7 +127,7 @@ def draw(figure: Figure) -> Canvas:
 
 
 def _draw_on(figure: Figure, canvas: Any) -> None:
-    """Draw on a canvas, or on the part of one that has the size of the figure."""
+    """Draw a figure on a canvas, or on the part of one that has its size."""
     with use_style():
         try:
             figure.draw(canvas)
@@ -136,13 +136,13 @@ def _draw_on(figure: Figure, canvas: Any) -> None:
 
 
 def _tell(figure: Figure, line: str, error: Exception) -> str:
-    """Say in one line which figure failed, and why."""
+    """Return a line that states which figure failed, and why."""
     what = " ".join(f"{type(error).__name__}: {error}".split())
     return f"{figure.name}: {line}{what}"
 
 
 def _find_line(error: Exception) -> str:
-    """Return "file:line: " of the innermost line of the drawing, not of what it calls."""
+    """Return "file:line: " of the innermost line within the file of the drawing; or ""."""
     _, *frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if frame.filename == frames[0].filename]
     return f"{own[-1].filename}:{own[-1].lineno}: " if own else ""
@@ -151,13 +151,13 @@ def _find_line(error: Exception) -> str:
 def render_svg(figure: Figure) -> str:
     """Return a figure as one <svg> element with text as text: the same bytes each time.
 
-    No id in it is that of another figure's, so that a page may hold several. Raises as `draw`.
+    No id in it occurs in another figure, so that a page may contain several. Raises as `draw`.
     """
     return _save_svg(figure, draw(figure))
 
 
 def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
-    """Write a figure with its caption below as PNG and SVG; return the files.
+    """Write a figure with its caption below as PNG and SVG; return the paths of the files.
 
     Raises as `draw`, and OSError.
     """
@@ -200,7 +200,7 @@ def _save_png(figure: Figure, canvas: Canvas) -> bytes:
 
 @contextmanager
 def _blame(figure: Figure) -> Iterator[None]:
-    """Raise what saving raises as `DrawingError`: texts are first read then."""
+    """Turn errors in saving into `DrawingError`, as texts are parsed only then."""
     try:
         yield
     except Exception as error:
@@ -208,7 +208,7 @@ def _blame(figure: Figure) -> Iterator[None]:
 
 
 def write_svg(canvas: Canvas, title: str) -> str:
-    """Write a drawing in the style that is in use as an element that a page can hold."""
+    """Return a drawing, in the current style, as an <svg> element for use in a page."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text = StringIO()
@@ -219,7 +219,7 @@ def write_svg(canvas: Canvas, title: str) -> str:
 
 
 def strip_svg(text: str, title: str) -> str:
-    """Keep what a page can hold: one element, without rules for the page or ids of no use."""
+    """Return the <svg> element of a text for use in a page, without style rules and unused ids."""
     body = text[text.index("<svg") :]
     body = re.sub(r"\s*<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
     body = re.sub(r"\s*<defs>\s*<style.*?</defs>", "", body, count=1, flags=re.DOTALL)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Planetary = EllipticPlanetary | OvalPlanetary
 
-# Number of samples of a period, which makes a step smaller than a printer's dot.
+# Number of samples of a period, so that a step is smaller than a printer's dot.
 SAMPLES = 721
 MOTION_HEIGHT = 110.0
 LABELS = ("position φ₃, °", "ratio dφ₃/dφ₁", "acceleration d²φ₃/dφ₁²")
@@ -33,31 +33,31 @@ HEIGHT = 85.0
 def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequence[Axes]:
     """Draw position, ratio and acceleration over one period of the ratio.
 
-    The extremes of the ratio are marked with their values, in closed form; where the ratio is the
-    same throughout, none. Of an `OvalPlanetary` the kind of motion is written above, and where
-    the output rests is shaded: |ratio| <= eta.
+    The extremes of the ratio are marked with their values, from closed forms, unless the ratio is
+    constant. For an `OvalPlanetary` the kind of motion is in the title, and intervals in which the
+    output rests, |ratio| <= eta, are shaded.
 
     Parameters
     ----------
     mechanism : EllipticPlanetary or OvalPlanetary
-        What moves; angles are drawn in degrees, with a tick every 30.
+        The mechanism; angles are drawn in degrees, with a tick every 30.
     axes : three matplotlib Axes, optional
-        To draw on, from the top; without, on a new figure of a column's width.
+        Axes to draw on, from the top; by default, those of a new figure of a column's width.
     eta : real number or decimal string, optional
         |ratio| up to which the output counts as at rest, as in `OvalPlanetary.classify`.
 
     Returns
     -------
     three Axes
-        Of position, ratio and acceleration.
+        Those of position, ratio and acceleration.
 
     Raises
     ------
     TypeError, ValueError
-        For another mechanism or other axes; for `eta` with an `EllipticPlanetary`, which has no
-        rests; and as `OvalPlanetary.classify`.
+        For any other mechanism or axes; for `eta` with an `EllipticPlanetary`, which has no rests;
+        and as `OvalPlanetary.classify`.
     ImportError
-        Without matplotlib: the extra `plot`.
+        If matplotlib, the extra `plot`, is not installed.
 
     """
     check_planetary(mechanism)
@@ -84,7 +84,7 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
 
 
 def check_planetary(mechanism: Any) -> None:
-    """Raise TypeError for what is no planetary mechanism."""
+    """Raise TypeError unless the object is a planetary mechanism."""
     known = isinstance(mechanism, EllipticPlanetary | OvalPlanetary)
     allowed = "must be an EllipticPlanetary or an OvalPlanetary"
     require(known, "mechanism", mechanism, allowed, TypeError)
@@ -93,7 +93,7 @@ def check_planetary(mechanism: Any) -> None:
 def _describe(
     mechanism: Planetary, eta: Any
 ) -> tuple[Extremes, str, Sequence[tuple[float, float]]]:
-    """Return extremes of the ratio, a headline and the rests of the first period."""
+    """Return the extremes of the ratio, a title, and the rests in the first period."""
     extremes = mechanism.extremes()
     if isinstance(mechanism, EllipticPlanetary):
         require(eta is None, "eta", eta, "an EllipticPlanetary has no rests; leave it out")
@@ -112,7 +112,7 @@ def _write_kind(kind: str, drift: float) -> str:
 
 
 def _wrap(span: tuple[float, float], period: float) -> list[tuple[float, float]]:
-    """Cut an interval to the first period, on which it comes back."""
+    """Return the parts of an interval, repeated with the period, that lie in the first period."""
     copies = [(span[0] + turn * period, span[1] + turn * period) for turn in (-1, 0, 1)]
     cut = [(max(start, 0.0), min(end, period)) for start, end in copies]
     return [(start, end) for start, end in cut if start < end]
@@ -124,7 +124,7 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
         return
     from matplotlib.patheffects import withStroke
 
-    # A halo, because the line at zero may run behind.
+    # A halo, because the line at zero may run behind the text.
     halo = withStroke(linewidth=2, foreground="#ffffff")
     panel.margins(y=0.25)
     for value, place, upward in (
@@ -140,9 +140,9 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
 
 
 class Wheel(NamedTuple):
-    """A pitch curve: its number in the paper, its axis, and the place of its long radius.
+    """A pitch curve: its number in the paper, its axis, and the direction of its longest radius.
 
-    Radii a (1 - e^2)/(1 - e cos(lobes (angle - turned))) about the axis; e = 0 is a circle.
+    Its radii about the axis are a (1 - e^2)/(1 - e cos(lobes (angle - turned))); e = 0 is a circle.
     """
 
     number: int
@@ -172,9 +172,9 @@ def pitch_curves(
 ) -> Axes:
     """Draw the wheels in mesh at the carrier angle `phi1` (rad), to scale.
 
-    Each wheel carries its number; a line shows its longest radius; B and D are the
-    points of contact. Lengths are in mm; of an `OvalPair`, whose size is not given, in units of
-    the major semi-axis a.
+    Each wheel is labelled with its number; a line shows its longest radius; B and D are the points
+    of contact. Lengths are in mm or, for an `OvalPair`, whose size is not given, in units of the
+    major semi-axis a.
 
     Parameters
     ----------
@@ -185,19 +185,19 @@ def pitch_curves(
     degrees : bool
         Whether the angle is in degrees.
     ax : matplotlib Axes, optional
-        To draw on; without, on a new figure of a column's width.
+        Axes to draw on; by default, those of a new figure of a column's width.
 
     Returns
     -------
     Axes
-        On which it was drawn.
+        The axes drawn on.
 
     Raises
     ------
     TypeError, ValueError
-        For another mechanism, an angle that is no finite number, or what is no Axes.
+        For any other mechanism, an angle that is no finite number, or anything but Axes.
     ImportError
-        Without matplotlib: the extra `plot`.
+        If matplotlib, the extra `plot`, is not installed.
 
     """
     check_planetary(mechanism)
@@ -228,7 +228,7 @@ def place_wheels(mechanism: Planetary, phi1: float) -> tuple[Wheel, Wheel, Wheel
 
 
 def _place_elliptic(mechanism: EllipticPlanetary, phi1: float) -> tuple[Wheel, Wheel, Wheel, Wheel]:
-    """At zero the far end of wheel 6 points to A, and that of wheel 3 away from C."""
+    """Place the wheels; at zero the far end of wheel 6 points to A, that of wheel 3 away from C."""
     large, small, e = mechanism.R1, mechanism.R2, mechanism.e
     a, origin = (large - small) / 2, np.zeros(2)
     centre = 2 * a * np.array([np.cos(phi1), np.sin(phi1)])
@@ -242,7 +242,7 @@ def _place_elliptic(mechanism: EllipticPlanetary, phi1: float) -> tuple[Wheel, W
 
 
 def _place_oval(mechanism: OvalPlanetary, phi1: float) -> tuple[Wheel, Wheel, Wheel, Wheel]:
-    """At zero the major axes of 4 and, without a mount, of 6 lie on A-C, of 5 and 3 across."""
+    """Place the wheels; at zero the major axes of 4 and unmounted 6 lie on A-C, of 5, 3 across."""
     pair, e2, origin, across = mechanism.pair, float(mechanism.e2), np.zeros(2), np.pi / 2
     mount = 0.0
     if isinstance(pair, CylindricalPair):
@@ -264,18 +264,18 @@ def _place_oval(mechanism: OvalPlanetary, phi1: float) -> tuple[Wheel, Wheel, Wh
 
 
 def drive(e: float, angle: float) -> float:
-    """Return how far an oval pair turns its driven wheel, from equal cylinders before it."""
+    """Return how far an oval pair turns its driven wheel if its driver turns by `angle`."""
     return angle - float(oval_kernels.position_cylindrical(angle, 1.0, 1.0, e))
 
 
-# How each wheel is drawn, and where its number stands: degrees from the line A-C.
+# How each wheel is drawn, and the place of its number in degrees from the line A-C.
 LOOKS = {
     4: (LineStyle.FIRST, 120),
     5: (LineStyle.FIRST, 60),
     6: (LineStyle.SECOND, -60),
     3: (LineStyle.SECOND, -120),
 }
-# Distance of names from their points, in points of print.
+# Distance of names from their points, in typographic points.
 AWAY = 4.5
 
 
@@ -304,8 +304,8 @@ def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) ->
     ray = np.array([np.cos(angle), np.sin(angle)])
     places = {"A": sun.axis, "C": satellite.axis, "B": sun.point(angle), "D": output.point(angle)}
     panel.plot(*np.stack([places["A"], places["C"]]).T, **LineStyle.GUIDE)
-    # The curves cross the line A-C at right angles: near it the names of contacts point away from
-    # each other, and those of the axes stand beside it.
+    # The curves cross the line A-C at right angles: near it, the names of contacts point away from
+    # each other, and those of the axes are next to it.
     near, far = sorted("BD", key=lambda name: float(places[name] @ ray))
     turned = {near: 205, far: 25, "A": 110, "C": 70}
     for name, place in places.items():

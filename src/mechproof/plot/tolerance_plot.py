@@ -1,6 +1,6 @@
-"""The range of a quantity within the tolerances of its sizes, beside its nominal value.
+"""The range of a quantity within the tolerances of its sizes, relative to its nominal value.
 
-And the shares of parts that an inspection accepts and rejects, against what they depend on.
+And the shares of parts that an inspection accepts and rejects, against their inputs.
 """
 
 from __future__ import annotations
@@ -32,37 +32,38 @@ def tolerance(
     scatter: MonteCarloRange | None = None,
     labels: tuple[str, str] = ("input", "deviation from nominal"),
 ) -> Axes:
-    """Draw by how much a quantity deviates from nominal within the tolerances of its sizes.
+    """Draw how far a quantity deviates from nominal within the tolerances of its sizes.
 
-    The range over all combinations of limits is shaded, its widest place marked; the certified
-    bounds and a Monte Carlo range are lines. Where they are not known (NaN, infinite) is a gap.
+    The range over all combinations of limits is shaded, its widest place marked; certified bounds
+    and a Monte Carlo range are lines, with gaps where they are not known (NaN, infinite).
 
     Parameters
     ----------
     inputs : array_like, shape (n,)
         Where the ranges were computed.
     corners : CornerRange
-        Of `corner_range`, at `inputs`.
+        Result of `corner_range` at `inputs`.
     ax : matplotlib Axes, optional
-        To draw on; without, on a new figure of a column's width.
+        Axes to draw on; by default, those of a new figure of a column's width.
     certified : CertifiedRange, optional
-        Of `certified_range`, at `inputs`.
+        Result of `certified_range` at `inputs`.
     scatter : MonteCarloRange, optional
-        Of `monte_carlo_range`, at `inputs`.
+        Result of `monte_carlo_range` at `inputs`.
     labels : two strings
-        What the axes show, with units.
+        Labels of the axes, with units.
 
     Returns
     -------
     Axes
-        On which it was drawn.
+        The axes drawn on.
 
     Raises
     ------
     TypeError, ValueError
-        Names the parameter that is of another kind, or of another shape than `inputs`.
+        If a parameter is of the wrong kind or does not have the shape of `inputs`; the message
+        names it.
     ImportError
-        Without matplotlib: the extra `plot`.
+        If matplotlib, the extra `plot`, is not installed.
 
     """
     points = check_array("inputs", inputs)
@@ -138,16 +139,16 @@ def shares(
     inputs : array_like, shape (n,)
         What the shares depend on, such as the limit error of a gauge.
     exact : Shares
-        Of `conformity.shares` or an inspection, at `inputs`.
+        Result of `conformity.shares` or an inspection at `inputs`.
     ax : matplotlib Axes, optional
-        To draw on; without, on a new figure of a column's width.
+        Axes to draw on; by default, those of a new figure of a column's width.
     which : strings
         Names of the shares to draw.
     simulated : pair, optional
-        Inputs of their own, and the `SimulatedShares` there; bars are a standard error each way,
-        up to the one-sided bound where no part or every part was counted.
+        Separate inputs, and the `SimulatedShares` there; bars are a standard error each way, or up
+        to the one-sided bound where no part or every part was counted.
     label : str
-        What the inputs are, with the unit.
+        Label of the inputs, with the unit.
     look : mapping, optional
         Keyword arguments of `Axes.plot` for all lines, instead of one look for each share;
         also the label of a legend.
@@ -155,14 +156,15 @@ def shares(
     Returns
     -------
     Axes
-        On which it was drawn.
+        The axes drawn on.
 
     Raises
     ------
     TypeError, ValueError
-        Names the parameter that is of another kind or shape, or a share that is none.
+        If a parameter is of the wrong kind or shape, or a name is not that of a share; the message
+        names it.
     ImportError
-        Without matplotlib: the extra `plot`.
+        If matplotlib, the extra `plot`, is not installed.
 
     """
     points = check_array("inputs", inputs)
