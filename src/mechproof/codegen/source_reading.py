@@ -132,10 +132,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class Module:
-    """A module as emitted code sees it: offered names, constants, operations, other functions.
-
-    Raises `SourceError` for a module that no emitted code imports.
-    """
+    """A module as emitted code sees it: offered names, constants, operations, other functions."""
 
     def __init__(self, tape: Tape, name: str, offered: Mapping[str, Any]) -> None:
         if not MODULES.fullmatch(name):

@@ -104,7 +104,7 @@ class _Fractions:
 
 
 def _combine(kind: str, degrees: Iterable[Degree]) -> Degree | None:
-    """Return the denominators of a result from its operands'; None if these must be made equal."""
+    """Return the denominators of a result from its operands'; None without a rule, as for sums."""
     try:
         return None if kind in ("add", "subtract") else DEGREES[kind](*degrees)
     except (KeyError, ValueError):

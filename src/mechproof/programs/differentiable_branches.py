@@ -47,10 +47,7 @@ def _block_branch(
     chosen: tuple[Operand, ...],
     taken: set[str],
 ) -> list[Operation]:
-    """List the steps that choose a branch's operands, by `chosen`, followed by its own steps.
-
-    The operand is put in the empty place of `chosen`.
-    """
+    """List the steps that put a branch's operands in the empty place of `chosen`, then its own."""
     own = _list_own(program, choice, branch)
     made = {step.result for step in own}
     steps, names = [], dict[Operand, str]()

@@ -44,7 +44,7 @@ CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.C
 
 
 class Lowering:
-    """Turns expressions into operations; `names` spells inputs, `large` are those of points."""
+    """Turns expressions into operations; `names` spells inputs, `large` ones vary by point."""
 
     def __init__(self, names: Mapping[sp.Basic, str], large: frozenset[sp.Basic]) -> None:
         self.operations: list[Operation] = []

@@ -1,10 +1,9 @@
 """Operations: one row for each kind, with its meaning, its rounding and its spellings.
 
-Nothing that follows from a row is repeated elsewhere. A kind means a function of SymPy, or is
-composed of other kinds by arithmetic that every number has; so it has a value in every `Arithmetic`
-that knows these functions: SymPy's expressions, doubles, long doubles, balls, series, parities,
-degrees. Herbie's platforms (Panchekha et al. 2015) list operations in the same way, with a cost in
-place of the rounding.
+Nothing that follows from a row is repeated. A kind means a function of SymPy, or is composed of
+other kinds by arithmetic that every number has; so it has a value in every `Arithmetic` that knows
+the functions: SymPy's expressions, doubles, long doubles, balls, series, parities, degrees.
+Herbie's platforms (Panchekha et al. 2015) list operations so, with a cost in place of the rounding.
 """
 
 from __future__ import annotations

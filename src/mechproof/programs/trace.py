@@ -153,9 +153,9 @@ class Tape:
         decorator: str = "",
         defaults: tuple[Any, ...] = (),
     ) -> RecordedFunction:
-        """Record every way through a function; ValueError for more than `MOST_WAYS`.
+        """Record every way through a function, first with yes to every decision.
 
-        Decisions are first answered with yes, and the last one changes first.
+        Raises ValueError for more than `MOST_WAYS`.
         """
         inputs, self._answers = tuple(inputs), []
         ways: list[Program] = []
@@ -171,10 +171,7 @@ class Tape:
         raise ValueError(f"there are more than {MOST_WAYS} ways through it")
 
     def replay(self, program: Program, last: Last = MappingProxyType({})) -> tuple[Any, ...]:
-        """Record the operations of a program and return its outputs.
-
-        `last` has extra last operands by kind.
-        """
+        """Record a program and return its outputs; `last` has extra last operands by kind."""
         program, made = program.normal_form(), dict[Any, Any]()
         for step in program.operations:
             given = [made.get(operand, operand) for operand in step.operands]
@@ -218,7 +215,7 @@ def _record(kind: str, first: Value, *others: Any) -> Value:
 
 # Every kind is recorded as a single operation, even if its meaning is composed of others.
 TRACED = Arithmetic({kind: partial(_record, kind) for kind in KINDS})
-# Operations of the machine, as functions for the bodies of traced functions.
+# Operations of the machine, for use in traced functions.
 Recorded = Callable[..., Value]
 fma: Recorded = TRACED["fma"]
 multiply_add: Recorded = TRACED["multiply_add"]

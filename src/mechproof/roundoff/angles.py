@@ -29,8 +29,7 @@ from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 # Size of an angle, in radians, above which its tangent is computed by the cotangent, which vanishes
 # at the pole.
 STEEP = 0.9
-# Below this size, by Taylor's theorem, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16
-# of 1.
+# Below this size, by Taylor, the quotients 1 + c*z**2 + ..., |c| <= 1/3, are within 1e-16 of 1.
 TINY = 1e-8
 SLOPES: Mapping[Function, Callable[[Interval], Interval]] = MappingProxyType(
     {arb.sin: cosine, arb.atan: lambda z: (ONE + z.power(2)).inverted()}
@@ -58,10 +57,7 @@ class Turn:
         return round(float(np.mean(monomial.span.low)) * period) / period
 
     def reduce(self, monomial: IntervalMonomial, period: int) -> IntervalMonomial:
-        """Return a multiple of the angle less whole multiples of 2*pi/period.
-
-        Half turns taken off with `is_half` are not put back.
-        """
+        """Return a multiple of the angle, reduced by multiples of pi/period."""
         nearest = self.count(monomial, period)
         over = (monomial.span - exactly(nearest)) * self.whole
         return self.residue.scaled(exactly(nearest)) + self.share(monomial.variables.constant(over))

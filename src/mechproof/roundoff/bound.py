@@ -4,10 +4,9 @@ Each step is its operation times 1 + d, with its own d. By the mean value theore
 most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
 reverse over intervals that contain every such d, so no second-order term is lost. Rounding follows
 Higham's standard model (2002, chapter 2). FPTaylor (Solovyev et al. 2018) bounds the same sum at
-d = 0 and adds a bound of the second order; here there is none to add. An error relative to the
-value is also added up by condition numbers (`condition_numbers`): as all roundings grow from zero,
-the value changes by shares of itself, and shares with the sum C change it by a share of at most
-exp(C) - 1.
+d = 0 and adds a bound of the second order; here there is none to add. A relative error is also
+added up by condition numbers (`condition_numbers`): as all roundings grow from zero, the value
+changes by shares of itself; shares with the sum C change it by a share of at most exp(C) - 1.
 """
 
 from __future__ import annotations
@@ -73,8 +72,8 @@ KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approxima
 class ErrorScale:
     """The quantity that errors are relative to: a scale, or the value itself if `scale` is None.
 
-    `holds_value` states that the scale is at least the value. In absolute values, `terms`, and the
-    value if it is held, add up to the scale; each of `least` is a lower bound of the scale.
+    `holds_value` states that the scale is at least the value. In absolute values, `terms`, if any,
+    and the value, if it is held, add up to the scale. Each of `least` is a lower bound of it.
     """
 
     scale: IntervalMonomial | None

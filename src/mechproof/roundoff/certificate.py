@@ -286,10 +286,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
 
 
 def _lower_bound(subject: ComputedStage, low: float) -> float:
-    """Return nearly the lowest provable bound above `low` in eps, rounded to hundredths.
-
-    Infinity if none up to `LAST` can be proved.
-    """
+    """Return nearly the lowest provable bound above `low`, in hundredths of an eps; or infinity."""
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, _limit(subject))):
         low, high = high, 2 * high

@@ -255,7 +255,7 @@ class ComputedStage:
         return find_membership(self.form, input_names(self.kernel.quantity))
 
     def holds(self, points: Mapping[str, Any]) -> Any:
-        """Return where points lie in the kernel's domain and this stage is the one taken."""
+        """Return where points lie in the kernel's domain and meet the stage's condition."""
         programs = [p for p in (self.kernel.code.inside, self.stage.when) if p]
         given = {**NUMBERS, **self.complete(points, IN_DOUBLES)}
         asking = self.total.asking if self.total else IN_DOUBLES

@@ -37,7 +37,7 @@ class ErrorTable:
 
     @property
     def is_of_angles(self) -> bool:
-        """Say whether the arguments are angles."""
+        """Return whether the arguments are angles."""
         return self.unreduced is not None
 
     def of_angle(self, angle: Interval, reduced: Interval) -> Ends:

@@ -35,7 +35,7 @@ TOGETHER = 8192
 # Bounds boxes in which all decisions agree, given the first few of these.
 BoundAlike = Callable[[Boxes, tuple[int, ...]], Array]
 Rows = NDArray[np.intp]
-# An interval is wide if the ratio of its largest to its least absolute value exceeds this.
+# An interval is wide if the ratio of its largest to its least absolute value is at least this.
 WIDE = 1.25
 
 
@@ -180,7 +180,7 @@ class IntervalMonomial:
 
     @property
     def _is_zero(self) -> bool:
-        """Say whether the monomial is zero, whatever its powers are."""
+        """Return whether the monomial is zero in all boxes, whatever its powers are."""
         return not (self.span.low.any() or self.span.high.any())
 
     def __sub__(self, other: IntervalMonomial) -> IntervalMonomial:
@@ -231,7 +231,7 @@ class IntervalMonomial:
         return self.span * self.variables.expand(self.powers)
 
     def over(self, powers: Powers) -> IntervalMonomial:
-        """Return the value with the given powers of variables that never vanish as its powers."""
+        """Return the value with, as factors, the given powers of variables that never vanish."""
         kept = [p if p and self.variables.is_apart(i) else 0 for i, p in enumerate(powers)]
         inverse = self.variables.expand(tuple([-p for p in kept]))
         return IntervalMonomial(

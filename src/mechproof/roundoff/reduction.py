@@ -80,10 +80,10 @@ def _above(ball: arb) -> float:
 
 @cache
 def find_nearest(largest: float) -> float:
-    """Return a lower bound of the distance of doubles up to `largest` from quarter turns.
+    """Bound from below the distance of doubles up to `largest` from multiples of a quarter turn.
 
     In a binade doubles are multiples of a unit, and the multiples of pi/2 that come nearest to
-    them are by denominators of a continued fraction's convergents.
+    them are those by the denominators of a continued fraction's convergents.
     """
     with working_precision(BITS):
         mantissa, exponent = (arb.pi() / 2).mid().man_exp()

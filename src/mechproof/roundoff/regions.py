@@ -94,7 +94,7 @@ class ChartRegion:
         return variables, {**monomials, self.angle: angle}, turn
 
     def count_first(self) -> int:
-        """Count the sides to cut first: all, but the whole angle's if the rest has coordinates."""
+        """Count the sides to cut first: all, except a whole angle's whose rest has coordinates."""
         return len(self.box) if self.chart.rest is None else len(self.names)
 
     def _find_residue(

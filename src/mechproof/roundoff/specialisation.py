@@ -50,10 +50,7 @@ class Whole:
         return replace(self, count=self.count + Fraction(more))
 
     def rounded(self, to: Callable[[Fraction], int]) -> Whole:
-        """Round to a whole number; ValueError if the result may depend on the number of turns.
-
-        Ties to even need an even `each`.
-        """
+        """Round to a whole number; an even `each` rounds ties alike, whatever the turns."""
         if self.each.denominator != 1 or (to is round and self.each % 2):
             raise ValueError(f"{self.each} for each turn decides what rounding does")
         return replace(self, count=Fraction(to(self.count)))

@@ -64,7 +64,7 @@ class TermSum:
         return found * (1 + MARGIN) + MARGIN
 
     def put_exact(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Values:
-        """Return the given values with the arrays of elements and the sum, added without rests."""
+        """Return the given values with the arrays of elements, and their sum in an arithmetic."""
         return self._put(given, arithmetic, drop_rest)
 
     def put_rounded(self, given: Mapping[str, Any]) -> Values:

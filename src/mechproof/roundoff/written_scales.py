@@ -62,7 +62,7 @@ class WrittenScale:
 
 
 def write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> WrittenScale | None:
-    """Write the scale, without roundings, by the form's rewrites other than low words.
+    """Return the scale, written without roundings by the form's rewrites other than low words.
 
     None if errors are relative to the value.
     """

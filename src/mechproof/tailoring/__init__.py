@@ -39,8 +39,8 @@ def tailor(
     error : float
         Largest absolute error permitted, in the unit of the quantity (rad, mm).
     derivations : path, optional
-        The folder of derivations that has the system, with its kernels in `generated` beside it; by
-        default those of the package.
+        The folder of derivations that has the system, with its kernels in the folder `generated`
+        next to it; by default, the package's derivations and kernels.
     arguments : float
         The parameters by name, and the range of the running variable (the first argument of the
         quantity) as a pair (lowest, highest). If the quantity repeats, the range may be left out:

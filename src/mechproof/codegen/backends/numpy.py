@@ -200,7 +200,7 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
 # Cached, because a few templates render all modules of all papers.
 @lru_cache(maxsize=32)
 def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
-    """Return the names a template uses, and the template, which may include others beside it."""
+    """Return a template's variables, and the template, which may include others in its folder."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder),
         # Without this, a misspelt name would be rendered as nothing.

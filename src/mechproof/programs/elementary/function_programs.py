@@ -37,8 +37,7 @@ from mechproof.programs.trace import (
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
-# Bound, in eps, on the rounding of a term in a sum that keeps its rests: six of its factors, and
-# its own.
+# Rounding of a term in a sum that keeps its rests, in eps: six of its factors, and its own.
 ROUNDED = 4
 
 
@@ -46,9 +45,9 @@ ROUNDED = 4
 class Function:
     """A function as a program. `fits` are the approximations in it.
 
-    In `program` every product that is added is fused; `parted` marks those that need not be, as
-    `multiply_add`. Where the absolute value of the first argument exceeds the format's `largest`,
-    `program` is wrong, and `far`, if there is one, uses functions of a backend's own library.
+    In `program` every product with a sum is fused; `parted` marks those that need not be. Where the
+    absolute value of the first argument exceeds the format's `largest`, `program` is wrong, and
+    `far`, if there is one, uses functions of a backend's own library.
     """
 
     meaning: str
@@ -145,10 +144,7 @@ class _Maker:
         return self.tangent_parts(y)[1]
 
     def waves(self, y: Value) -> tuple[Value, ...]:
-        """Return the number of quarter turns, its half, and whether it is even.
-
-        Then sine and cosine of the rest.
-        """
+        """Return quarter turns, half of them, if these are even; sine and cosine of the rest."""
         n, r = self.reduce(y)
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
