@@ -48,7 +48,7 @@ class WrittenForm:
         return sp.ImmutableDenseMatrix(rows, columns, entries)
 
     def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
-        """Return a step's value with earlier steps inserted except kept ones; else ValueError."""
+        """Return a step's value, earlier steps inserted except the kept; ValueError if unknown."""
         found = {str(symbol): value for symbol, value in self._steps.items()}
         if str(name) not in found:
             raise ValueError(f"no step {name} among {', '.join(found)}")

@@ -26,7 +26,7 @@ _Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
 
 @dataclass(frozen=True)
 class Branch:
-    """Steps that are taken where the result `tested` is not negative or, by flag, negative."""
+    """Steps taken where the result `tested` is not negative or, if `is_negative`, where it is."""
 
     straight: StraightLineProgram
     tested: str = ""

@@ -68,8 +68,8 @@ def certify_kernel(
 ) -> tuple[tuple[RoundingClaim, ...], str]:
     """Prove the bounds of a kernel; return its claims and the key of all that they rest on.
 
-    With the cache, known claims proved before are returned unproved. Raises ValueError for a chart
-    that cannot be used.
+    With the cache, known claims that were proved before are not proved again. Raises ValueError for
+    a chart that cannot be used.
     """
     stages = list_stages(kernel, paper)
     if use_cache and (key := _key(stages, known)) in CERTIFIED.read():

@@ -113,7 +113,7 @@ class ChartRegion:
         return bool(within.inf == 0 and within.left_open)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
-        """Return whether each coordinate, and the inverse of a turned angle, is never negative."""
+        """List whether each coordinate, and the inverse of a turned angle, is never negative."""
         positive = [bool(np.all(boxes[:, i, 0] >= 0)) for i in range(len(self.names))]
         return [*positive, True] if self.is_turned else positive
 

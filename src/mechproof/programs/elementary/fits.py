@@ -24,7 +24,7 @@ from mechproof.programs.elementary.formats import DOUBLE, Format, take_middle
 MARGIN = 2.0**-20
 PIECES, ORDER, BITS = 64, 24, 256
 # Precision, in bits, of linear equations in powers, up to a hundred, of numbers close to each
-# other: they lose far fewer bits.
+# other, which lose far fewer bits.
 FIT_BITS = 600
 # A piece is halved while the remainder of its Taylor polynomial exceeds this share of the value.
 REST = 2.0**-70
@@ -176,7 +176,7 @@ def bound_terms(near: Series, far: Series) -> list[Ball]:
 def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
     """Interpolate a target by a quotient of polynomials of degrees `above` and `below`.
 
-    The coefficients are rounded to the format; that of the constant below is 1.
+    The coefficients are rounded to the format; the constant below is 1.
     """
     with working(1, FIT_BITS):
         first = arb(target.first or 0)
