@@ -12,7 +12,7 @@ from mechproof.programs.operations import HELPER, KINDS
 
 # Functions of <math.h>, for doubles and for floats.
 _FUNCTIONS = [row.c for row in KINDS.values() if isinstance(row.c, str) and row.c.isidentifier()]
-# Names of parameters in headers, next to the names of the paper.
+# Names of parameters in headers, in addition to those of the paper.
 DECLARED = ("count", "terms", "out")
 # Prefix of the arrays for the results of several kernels.
 STORED = "out_"

@@ -66,7 +66,7 @@ def fold(text: str) -> str:
 
 
 def write_c_comment(text: str) -> str:
-    """Return a text as a line of a C comment, which it can neither end nor nest."""
+    """Return a text as one line of a C comment, which it neither ends nor opens again."""
     return fold(text).replace("*/", "* /").replace("/*", "/ *")
 
 

@@ -152,7 +152,7 @@ def _script(
     return Script(name, _change(syntax, lacking), suffix, native, MappingProxyType(helpers), **more)
 
 
-# Prefixes of variables in formulas, next to the names of the paper.
+# Prefixes of variables in formulas, in addition to the paper's names.
 FORM, RESULT = "form_", "result"
 
 

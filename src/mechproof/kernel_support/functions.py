@@ -46,7 +46,7 @@ def nonnegative_form(vector: Any, matrix: Any) -> Any:
         return found
     eps = np.finfo(found.dtype).eps
     rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
-    # A product keeps the mask or the unit; as both factors are negative, the zero is positive.
+    # A product keeps the mask or the unit; -0.0 times a negative number is a positive zero.
     factor = np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
     return found * factor.astype(found.dtype, copy=False)
 
