@@ -6,37 +6,37 @@ Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pai
 Angles are positive in the direction of the carrier's rotation; distances on the line A-C
 are positive from A towards C and B. Lengths in mm, angles in rad.
 
-Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
-otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
-the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
+Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an
+array; it is float32 if every array argument is float32, otherwise float64. `out`, an array
+of the result's type and shape, receives the result; it may overlap an argument. The result
+is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.
 
-TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
-ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+TypeError: an argument is complex or not numeric, or `out` is not an array of the result's
+type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.
 
-Accuracy is tested: on the stated arguments no search has found a result that is off by
-more. It is of float64, in which float32 is computed, too; eps = 2**-52.
+Accuracy is tested: on the stated arguments no search has found a larger error. It is that
+of float64, in which float32 is computed, too; eps = 2**-52.
 
-What is proved holds for all arguments that its line states, of float64 rounded to nearest,
-on the assumptions of that line: the results that they speak of are those of all operations
-on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
-proved than is tested, since a proof adds up roundings that may never meet.
+A proved bound holds for all arguments stated in its line, in float64 rounded to nearest, on
+the assumptions of that line. These speak of the results of all intermediate operations; the
+normal range is 0 and everything of at least 2**-1022 in size. A proved bound may be larger
+than a tested one, since a proof adds up roundings that may never occur together.
 
 What errors are relative to:
 
-    the value and what eps*x makes of it (ratio) = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))
-        + e*k*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
+    the value and the effect of eps*x (ratio) = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x)) +
+        e*k*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
 
-    the value and what eps*x makes of it (acceleration) = 2*k**2*|e*(e**2 - 1)*sin(x)/(1 +
-        e**2 - 2*e*cos(x))**2| + e*k**2*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
+    the value and the effect of eps*x (acceleration) = 2*k**2*|e*(e**2 - 1)*sin(x)/(1 + e**2
+        - 2*e*cos(x))**2| + e*k**2*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
 
-    the larger of the two terms, with 1 for cos(x), and what eps*x makes of them (jerk) =
+    the larger of the two terms, with 1 for cos(x), and the effect of eps*x (jerk) =
         e*k**3*(1 - e**2)*(24*e**2*sin(x)**2 + 12*e*(4*e*sin(x/2)**2 + (1 - e)**2)*|cos(x)|
         + (4*e*sin(x/2)**2 + (1 - e)**2)**2)*|x|*|sin(x)|/(2**51*(4*e*sin(x/2)**2 + (1 -
         e)**2)**4) + Max(2*e*k**3*(1 - e**2)/(4*e*sin(x/2)**2 + (1 - e)**2)**2,
         8*e**2*k**3*(1 - e**2)*sin(x)**2/(4*e*sin(x/2)**2 + (1 - e)**2)**3)
 
-    the value and what the rounding of 10*e - square makes of it (angle_of_largest_jerk) =
+    the value and the effect of rounding 10*e - square (angle_of_largest_jerk) =
         Piecewise((pi, 10*e <= square), (2*atan2(sqrt((10*e + square)*(root_jerk + 2*square
         - 2*e))*(1 - e), sqrt((10*e - square)*(2*e + root_jerk + 2*square))*(1 + e)),
         True))/k + 1/(k*sqrt(Max(2**-52, |10*e - square|)))
@@ -282,8 +282,8 @@ def ratio(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 10 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
+    Accuracy, tested: 10 eps of the value and the effect of eps*x, where |x| <= 2**26 and (phi1
+    = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved, where |x| <= 22/7 or |x| <= 2**26 and (e <= 1 - 2**-10 or |x - 2*pi*n| >= 2**-7 for
     all n), as long as no result overflows or falls below the normal range: at most 10 eps with
@@ -464,9 +464,9 @@ def acceleration(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and (e =
-    0 or 1e-200 <= e).
+    Accuracy, tested: 16 eps of the value and the effect of eps*x, where |x| <= 2**26 and (phi1
+    = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and (e = 0 or
+    1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
     below the normal range: at most 14.55 eps with np.tan within 1 ulp, found 10.23; at most
@@ -639,9 +639,9 @@ def jerk(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
-    makes of them, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and
-    1e-300 <= R2 and R1 <= 1e75*R2 and (e = 0 or 1e-100 <= e).
+    Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and the effect
+    of eps*x, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300
+    <= R2 and R1 <= 1e75*R2 and (e = 0 or 1e-100 <= e).
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
     at most 33 eps with np.tan within 1 ulp, found 15.05; at most 40.25 eps compiled, found
@@ -1028,8 +1028,8 @@ def angle_of_largest_jerk(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 8 eps of the value and what the rounding of 10*e - square makes of it,
-    where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
+    Accuracy, tested: 8 eps of the value and the effect of rounding 10*e - square, where 1e-300
+    <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Proved, where e <= 101/1000 or e >= 102/1000, as long as no result overflows or falls below
     the normal range: at most 3.5 eps with np.arctan2 within 1 ulp, found 2.39; at most 4.03 eps

@@ -6,21 +6,21 @@ HZWKZJ
 Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. The
 paper's (10) has the opposite sign.
 
-Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
-otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
-the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
+Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an
+array; it is float32 if every array argument is float32, otherwise float64. `out`, an array
+of the result's type and shape, receives the result; it may overlap an argument. The result
+is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.
 
-TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
-ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+TypeError: an argument is complex or not numeric, or `out` is not an array of the result's
+type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.
 
-Accuracy is tested: on the stated arguments no search has found a result that is off by
-more. It is of float64, in which float32 is computed, too; eps = 2**-52.
+Accuracy is tested: on the stated arguments no search has found a larger error. It is that
+of float64, in which float32 is computed, too; eps = 2**-52.
 
-What is proved holds for all arguments that its line states, of float64 rounded to nearest,
-on the assumptions of that line: the results that they speak of are those of all operations
-on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
-proved than is tested, since a proof adds up roundings that may never meet.
+A proved bound holds for all arguments stated in its line, in float64 rounded to nearest, on
+the assumptions of that line. These speak of the results of all intermediate operations; the
+normal range is 0 and everything of at least 2**-1022 in size. A proved bound may be larger
+than a tested one, since a proof adds up roundings that may never occur together.
 
 What errors are relative to:
 
@@ -51,7 +51,7 @@ What errors are relative to:
         2*Max(2*less*shift*|t|, less*(1 + t**2)*|rise|, swing*(both + less)*|t|, |Z|,
         |y*(rise - shift*t)|, |y*(rise + shift*t)|/2))/S
 
-    the larger of 1 and 1 - value, and what eps*x makes of it (ratio_cylindrical) =
+    the larger of 1 and 1 - value, and the effect of eps*x (ratio_cylindrical) =
         |x|*|e2*k*(e2**2 - 1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2|/2**51 + Max(1, k*(1 -
         e2**2)/(1 + e2**2 - 2*e2*cos(x)))
 
@@ -60,7 +60,7 @@ What errors are relative to:
         1)*cos(x)/(e2**2*sin(x)**2 + (e2*cos(x) - 1)**2)|/2**52 + Max(|phi1*(R4 - R5)|/R5,
         |atan2(e2*sin(x), 1 - e2*cos(x))|)
 
-    the value and what eps*x makes of it (acceleration_cylindrical) = 4*k**2*|e2*(e2**2 -
+    the value and the effect of eps*x (acceleration_cylindrical) = 4*k**2*|e2*(e2**2 -
         1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2| + e2*k**2*(1 - e2**2)*|x|/(2**50*(1 + e2**2
         - 2*e2*cos(x))**2)
 
@@ -68,7 +68,7 @@ What errors are relative to:
         8*(less + shift)*|rise*t| + 2*(1 + t**2)*(rise**2 + shift*(2*less + shift) +
         swing*(both + less)) + 16*(|less + y| + |rise - shift*t|)*|Z*(rise*t - shift)|/S)/S
 
-    the larger of the two terms, with 1 for cos(x), and what eps*x makes of them
+    the larger of the two terms, with 1 for cos(x), and the effect of eps*x
         (jerk_cylindrical) = e2*k**3*(1 - e2**2)*(24*e2**2*sin(x)**2 +
         12*e2*(4*e2*sin(x/2)**2 + (1 - e2)**2)*|cos(x)| + (4*e2*sin(x/2)**2 + (1 -
         e2)**2)**2)*|x|*|sin(x)|/(2**49*(4*e2*sin(x/2)**2 + (1 - e2)**2)**4) +
@@ -481,7 +481,7 @@ def ratio_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy, tested: 10 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where
+    Accuracy, tested: 10 eps of the larger of 1 and 1 - value, and the effect of eps*x, where
     |x| <= 2**26.
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
@@ -674,7 +674,7 @@ def acceleration_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
+    Accuracy, tested: 16 eps of the value and the effect of eps*x, where |x| <= 2**26 and
     R5/1e45 <= R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 2**-960 <= e2*|phi1|) and (e2 = 0 or
     2**-330 <= e2).
 
@@ -897,9 +897,9 @@ def jerk_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and what eps*x
-    makes of them, where |x| <= 2**26 and R5/1e30 <= R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or
-    2**-960 <= e2*|phi1|) and (e2 = 0 or 2**-300 <= e2).
+    Accuracy, tested: 24 eps of the larger of the two terms, with 1 for cos(x), and the effect
+    of eps*x, where |x| <= 2**26 and R5/1e30 <= R4 <= 1e80*R5 and (e2 = 0 or phi1 = 0 or 2**-960
+    <= e2*|phi1|) and (e2 = 0 or 2**-300 <= e2).
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
     at most 43.75 eps with np.tan within 1 ulp, found 14.33; at most 53.5 eps compiled, found

@@ -8,21 +8,21 @@ coordinates in the turned frame. Letters that the paper uses twice are kept apar
 (scatter coefficient) and the matrix K, A (amplitude) and the matrix A, z (number of
 periods) and the coordinate, varphi (polar angle) and the rotation vector.
 
-Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
-otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
-the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
+Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an
+array; it is float32 if every array argument is float32, otherwise float64. `out`, an array
+of the result's type and shape, receives the result; it may overlap an argument. The result
+is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.
 
-TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
-ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+TypeError: an argument is complex or not numeric, or `out` is not an array of the result's
+type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.
 
-Accuracy is tested: on the stated arguments no search has found a result that is off by
-more. It is of float64, in which float32 is computed, too; eps = 2**-52.
+Accuracy is tested: on the stated arguments no search has found a larger error. It is that
+of float64, in which float32 is computed, too; eps = 2**-52.
 
-What is proved holds for all arguments that its line states, of float64 rounded to nearest,
-on the assumptions of that line: the results that they speak of are those of all operations
-on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
-proved than is tested, since a proof adds up roundings that may never meet.
+A proved bound holds for all arguments stated in its line, in float64 rounded to nearest, on
+the assumptions of that line. These speak of the results of all intermediate operations; the
+normal range is 0 and everything of at least 2**-1022 in size. A proved bound may be larger
+than a tested one, since a proof adds up roundings that may never occur together.
 
 What errors are relative to:
 
@@ -39,11 +39,9 @@ What errors are relative to:
     |p| = sqrt(x_13**2 + y_13**2 + z_13**2)
     |t| = sqrt(a**2 + b**2 + c**2)
 
-    the radius and what eps*z*phi makes of it (radius) = (1 +
-        z*|A*phi*sin(phi*z)/root|)*|rho|
+    the radius and the effect of eps*z*phi (radius) = (1 + z*|A*phi*sin(phi*z)/root|)*|rho|
 
-    the radius and what eps*z*phi makes of it (track) = (1 +
-        z*|A*phi*sin(phi*z)/root|)*|rho|
+    the radius and the effect of eps*z*phi (track) = (1 + z*|A*phi*sin(phi*z)/root|)*|rho|
 
     the value and what the sizes of the terms make of it (error_sum_correlated) = value +
         Sum[i=1..n, j=1..n](|correlation[i,j]*sensitivities[i]*sensitivities[j]|*
@@ -56,16 +54,16 @@ What errors are relative to:
     value = sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*tolerances[i]**2))/
         sqrt(total_scatter**2 - thermal_scatter**2*thermal_share**2)
 
-    the tilt and what eps*(error - offset) makes of it (tilt_of_planar_error) = (error -
+    the tilt and the effect of eps*(error - offset) (tilt_of_planar_error) = (error -
         offset)/sqrt(H**2 + 2*rho*(error - offset) - (error - offset)**2) + 2*atan2(error -
         offset, H + sqrt(H**2 + 2*rho*(error - offset) - (error - offset)**2))
 
-    the tilt and what eps*(error - offset) makes of it (tilt_of_spatial_error) =
-        2*error*(error - offset)/sqrt(4*H**2*offset**2 + (error - offset)*(error +
-        offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error - offset)*(error + offset))) +
-        2*atan2((error - offset)*(error + offset), 2*H*offset + sqrt(4*H**2*offset**2 +
-        (error - offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error -
-        offset)*(error + offset))))
+    the tilt and the effect of eps*(error - offset) (tilt_of_spatial_error) = 2*error*(error
+        - offset)/sqrt(4*H**2*offset**2 + (error - offset)*(error + offset)*(4*H**2 +
+        4*rho**2 + 4*offset*rho - (error - offset)*(error + offset))) + 2*atan2((error -
+        offset)*(error + offset), 2*H*offset + sqrt(4*H**2*offset**2 + (error -
+        offset)*(error + offset)*(4*H**2 + 4*rho**2 + 4*offset*rho - (error - offset)*(error
+        + offset))))
 
 Generated from the derivation track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -532,7 +530,7 @@ def radius(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    Accuracy, tested: 6 eps of the radius and the effect of eps*z*phi, where 1e-140 <= R <=
     1e150 and z*|phi| <= 2**26.
 
     Proved, where |A| <= 63/64*R and z*|phi| <= 21, as long as no result overflows or falls
@@ -609,7 +607,7 @@ def track(
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
-    Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R <=
+    Accuracy, tested: 7.5 eps of the radius and the effect of eps*z*phi, where 1e-140 <= R <=
     1e150 and z*|phi| <= 2**26.
 
     Proved, where |A| <= 15/16*R and z*|phi| <= 22/7, as long as no result overflows or falls
@@ -1059,8 +1057,8 @@ def tilt_of_planar_error(
     Domain: 0 < H, rho, error < oo, 0 <= offset < oo, 0 <= error - offset, error - offset <= H +
     rho (e <= Delta^XY <= e + rho + H_s).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*(error - offset) makes of it, where 1e-50
-    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+    Accuracy, tested: 6 eps of the tilt and the effect of eps*(error - offset), where 1e-50 <=
+    rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     Proved, where error - offset <= 15/16*(rho + H), as long as no result overflows or falls
     below the normal range: at most 5.03 eps with np.arctan2 within 1 ulp, found 1.61; at most
@@ -1130,8 +1128,8 @@ def tilt_of_spatial_error(
     offset) <= 2*H**2 + 2*rho**2 + 2*H*offset + 2*offset*rho (e <= Delta^XYZ, the tilt up to a
     right angle).
 
-    Accuracy, tested: 6 eps of the tilt and what eps*(error - offset) makes of it, where 1e-50
-    <= rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
+    Accuracy, tested: 6 eps of the tilt and the effect of eps*(error - offset), where 1e-50 <=
+    rho, H, error <= 1e50 and (1e-50 <= offset <= 1e50 or offset = 0).
 
     Proved, where offset <= H and error - offset <= rho + H, as long as no result overflows or
     falls below the normal range: at most 8.56 eps with np.arctan2 within 1 ulp, found 2.09; at

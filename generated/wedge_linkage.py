@@ -6,21 +6,21 @@ Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, doi
 Displacements and rotations are counted from the position x1 = 0; angles from Ox, positive
 counter-clockwise; x to the right, y upwards.
 
-Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
-otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
-the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
+Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an
+array; it is float32 if every array argument is float32, otherwise float64. `out`, an array
+of the result's type and shape, receives the result; it may overlap an argument. The result
+is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.
 
-TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
-ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+TypeError: an argument is complex or not numeric, or `out` is not an array of the result's
+type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.
 
-Accuracy is tested: on the stated arguments no search has found a result that is off by
-more. It is of float64, in which float32 is computed, too; eps = 2**-52.
+Accuracy is tested: on the stated arguments no search has found a larger error. It is that
+of float64, in which float32 is computed, too; eps = 2**-52.
 
-What is proved holds for all arguments that its line states, of float64 rounded to nearest,
-on the assumptions of that line: the results that they speak of are those of all operations
-on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be
-proved than is tested, since a proof adds up roundings that may never meet.
+A proved bound holds for all arguments stated in its line, in float64 rounded to nearest, on
+the assumptions of that line. These speak of the results of all intermediate operations; the
+normal range is 0 and everything of at least 2**-1022 in size. A proved bound may be larger
+than a tested one, since a proof adds up roundings that may never occur together.
 
 What errors are relative to:
 

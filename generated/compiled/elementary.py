@@ -4,7 +4,7 @@ What their approximations are off by is enclosed in balls over the whole interva
 Angles up to 67108864.0 rad are reduced here. Farther out the C library's functions
 are taken if `exact` is true; for None it is NaN.
 
-Compiled with them: `compiled_support` c6b214cfc11b.
+Compiled with them: `compiled_support` b3b3853d8d37.
 
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """

@@ -8,7 +8,7 @@ then indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8940d5e10351.
+Elementary functions: `elementary` 39134f4ec3e4.
 
 Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

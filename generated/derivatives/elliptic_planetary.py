@@ -4,14 +4,14 @@ Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pai
 10.37313/1990-5378-2024-26-3-164-171
 
 Arguments, domain, `out` and errors are those of the kernel with the same name, one module
-up; the result has a last axis with a derivative for each argument, in their order.
+up; along a last axis the result has the derivative by each argument, in their order.
 
-At a kink a derivative is that on the side of the greater argument, at a pole infinite or
-NaN. Each is proved to be what the chain rule makes of the definition. Accuracy is tested:
-no error of an entry d is more than the stated multiple of eps = 2**-52 and its
-conditioning, |d| + sum of |p * d d/d p| over the arguments and the symbols p of the
-kernel's formula, and of the part of the kernel's own error, where that has a scale, divided
-by the argument (the first: by it or by 1 rad or mm, what is less).
+At a kink a derivative is that on the side of the greater argument; at a pole it is infinite
+or NaN. Each is proved to follow from the definition by the chain rule. Accuracy is tested:
+the error of an entry d is at most the stated multiple of eps = 2**-52 times its condition,
+|d| + the sum of |p * d d/d p| over the arguments and the symbols p of the kernel's formula,
+plus, if the kernel's own error has a scale, that scale divided by the argument (the first
+counts as at most 1 rad or mm).
 
 Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

@@ -6,13 +6,13 @@ Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pai
 Angles are positive in the direction of the carrier's rotation; distances on the line A-C
 are positive from A towards C and B. Lengths in mm, angles in rad.
 
-Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
-otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
-the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
+Arguments broadcast. The result is a NumPy scalar if all arguments are scalars, otherwise an
+array; it is float32 if every array argument is float32, otherwise float64. `out`, an array
+of the result's type and shape, receives the result; it may overlap an argument. The result
+is NaN outside the domain and where an argument is NaN; in a domain numpy.pi counts as pi.
 
-TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
-ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+TypeError: an argument is complex or not numeric, or `out` is not an array of the result's
+type. ValueError: shapes do not broadcast, a last axis is wrong, or `out` has another shape.
 
 Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
