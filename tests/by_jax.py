@@ -1,4 +1,4 @@
-"""JAX in a process of its own: threads as it has them do not go well with processes that fork."""
+"""JAX in a process of its own: its threads are unsafe in a process that forks."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from mechproof.tools.processes import end_with_parent
 
 
 def compute(text: str, name: str, points: Sequence[Any], **how: Any) -> Any:
-    """Run a function of a source at points, in float64.
+    """Evaluate the function `name` of the source `text` at points, in float64.
 
-    `slopes`: its derivatives by all arguments, along a last axis; `compiled=False`: operation by
-    operation; `options`: the compiler's.
+    With `slopes`, return its derivatives with respect to every argument, stacked along a last axis.
+    With `compiled=False`, run it operation by operation; `options` go to the compiler.
     """
     return _open().submit(_compute, text, name, points, **how).result()
 

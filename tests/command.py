@@ -1,4 +1,4 @@
-"""The command line run here and in a process, and derivations of a user."""
+"""Run the command line in this process or in another, and write a user's derivation."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ def in_process(*arguments: str, **variables: str) -> subprocess.CompletedProcess
 def answer_here(
     function: Callable[[Any], Any], tasks: Sequence[Any], *, limit: float
 ) -> Iterator[tuple[int, Any]]:
-    """Yield the answers that `run_tasks` yields, without its processes and its limit."""
+    """Yield the same answers as `run_tasks`, but in this process and without a time limit."""
     for number, task in enumerate(tasks):
         succeeded, answer = _answer(function, task)
         yield number, answer if succeeded else WorkerError(answer)
 
 
 def hear_hangups() -> None:
-    """Let a new process be ended by SIGHUP, as from a terminal: below `nohup` none is."""
+    """Let SIGHUP end a new process, as in a terminal: under `nohup` it would be ignored."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)

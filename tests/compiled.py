@@ -1,4 +1,4 @@
-"""Tests of compiled kernels: those of one system in one process, which compiles them once."""
+"""Parameters for tests of compiled kernels: one process per system, so each compiles once."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from weights import make_thorough
 
-# Of kernels with like loops one is compiled with every test, the others with the thorough ones.
+# Of kernels with similar loops, one is compiled in every run, the others in thorough runs only.
 SHOWN = (
-    # Angles reduced by turns, no running variable, the pieces of a linkage.
+    # Angles reduced by whole turns, no running variable, the pieces of a linkage.
     *("elliptic_planetary.position", "elliptic_planetary.largest_ratio", "wedge_linkage.position"),
     # Results with axes, arguments with components, both.
     *("track_wheel.rotation", "track_wheel.planar_error", "track_wheel.displacement"),
@@ -20,10 +20,10 @@ SHOWN = (
     # Several quantities in one pass.
     "elliptic_planetary.motion",
 )
-# Angles, and the sizes of an elliptic planetary mechanism.
+# Angles, and sizes of an elliptic planetary mechanism.
 PHI = np.linspace(-40, 40, 4000)
 SIZES = (66.0, 16.0, 0.475)
-# What is computed in one pass.
+# The quantities that a kernel computes in one pass.
 TOGETHER = {
     "elliptic_planetary.motion": ("position", "ratio", "acceleration"),
     "oval_planetary.motion": ("position", "ratio", "acceleration"),
@@ -34,9 +34,10 @@ TOGETHER = {
 
 
 def grouped(names: Iterable[str], most: int | None = None) -> list[Any]:
-    """Return the parameters of a test that calls the compiled kernels named system.quantity.
+    """Return test parameters for the compiled kernels `names`, each given as system.quantity.
 
-    Of those that are shown, the first `most` are.
+    The first `most` kernels in `SHOWN` (by default all) run with every test, the others are
+    thorough.
     """
     every = list(names)
     shown = set([name for name in every if is_shown(name)][:most])
@@ -44,7 +45,7 @@ def grouped(names: Iterable[str], most: int | None = None) -> list[Any]:
 
 
 def is_shown(name: str) -> bool:
-    """Say whether a kernel is compiled with every test."""
+    """Return whether a kernel is compiled in every run."""
     return name.removeprefix("compiled.") in SHOWN
 
 

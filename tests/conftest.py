@@ -1,4 +1,4 @@
-"""What all tests share."""
+"""Options, grouping and fixtures shared by all tests."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 
 from mechproof.tools.cache import VARIABLE
 
-# What takes longest begins first: no worker waits for another at the end.
+# The longest groups start first, so that no worker is left waiting for another at the end.
 LONGEST = (
     *("report", "compiled track_wheel", "workshop", "cluster", "verdicts wedge_linkage"),
     *("verdicts track_wheel", "verdicts oval_planetary", "verdicts tooth_thickness"),
@@ -22,32 +22,33 @@ LONGEST = (
     *("kernels/test_derivatives.py", "proof/test_mutations.py", "test_readme.py", "certificates"),
 )
 
-# Of a slow test with `MANY` cases always the same one in `SHOWN`, if there are as many, is run with
-# what is not slow, and one in `SLOW` of the others with what is slow; the rest is thorough. Where
-# what takes long is done for all cases `together`, all of them stay slow.
+# Of a slow test with at least `MANY` cases, one in `SHOWN` (if it has that many) runs with the
+# tests that are not slow, and one in `SLOW` of the others with the slow ones; the rest are
+# thorough. The choice is the same each time. If the slow part is done once for all cases
+# `together`, all of them stay slow.
 MANY, SHOWN, SLOW = 6, 24, 8
 
-# What a derivation is made of.
+# Suffixes of the files that make up a derivation.
 DERIVED = (".py", ".tex", ".json")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Let a part of the thorough tests be run, the same each time."""
+    """Add the option that runs a fixed share of the thorough tests."""
     told = "run one in N of the thorough tests, the same ones each time"
     parser.addoption("--one-in", type=int, default=1, metavar="N", help=told)
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Refuse what is no part."""
+    """Refuse a share below 1."""
     if (count := config.getoption("one_in")) < 1:
         raise pytest.UsageError(f"--one-in = {count}: must be at least 1")
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection(session: pytest.Session) -> Iterator[None]:
-    """Look for no garbage while tests are collected, nor later among what that leaves behind.
+    """Turn garbage collection off during collection, and freeze the objects that it leaves.
 
-    Afterwards it is looked for less often: SymPy makes many objects that live.
+    Afterwards, collect garbage less often: SymPy makes many long-lived objects.
     """
     if hasattr(session.config, "workerinput") or not session.config.getoption("tx"):
         _share_papers()
@@ -62,7 +63,7 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep the tests of a file in one worker, which loads and compiles what they share once."""
+    """Keep the tests of a file in one worker, which loads and compiles shared parts only once."""
     _part_cases(items)
     groups = {item: _find_group(item) for item in items}
     for item, group in groups.items():
@@ -73,7 +74,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
 def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what other parts of the thorough tests have."""
+    """Deselect the thorough tests outside the share that `--one-in` asks for."""
     thorough = [item for item in items if item.get_closest_marker("thorough")]
     left_out = {*thorough} - {*_take_share(thorough, config.getoption("one_in"))}
     if left_out:
@@ -82,7 +83,7 @@ def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None
 
 
 def _part_cases(items: list[pytest.Item]) -> None:
-    """Let some cases of a slow test be run sooner, most of them with what is thorough."""
+    """Run a few cases of each slow test in every run, and make most of the others thorough."""
     slow: dict[str, list[pytest.Item]] = {}
     for item in items:
         mark = item.get_closest_marker("slow")
@@ -107,21 +108,21 @@ def _unmark(item: pytest.Item) -> None:
 
 
 def _take_share(items: list[pytest.Item], count: int) -> list[pytest.Item]:
-    """Take one in so many tests, the same ones each time: by a digest of their names."""
+    """Return one in `count` tests, the same ones each time, ordered by a digest of their names."""
     names = {item: f"{item.path.name} {item.name}" for item in items}
     return sorted(items, key=lambda item: crc32(names[item].encode()))[::count]
 
 
 def _share_papers() -> None:
-    """Run a derivation that is ours once in a process, as long as its files stay as they are.
+    """Run each of our own derivations once per process, as long as its files do not change.
 
-    They are read each time: who notes what a paper is read from notes the same. What a test has
-    imported of it at first is that one, too.
+    The files are still read each time, so that code which notes the files behind a paper notes the
+    same ones. Modules that a test imported before the first run stay the ones in use.
     """
     from mechproof import derivation
 
     run = derivation._run
-    # What is installed, and what commands find in the checkout.
+    # The installed derivations, and those that commands find in the checkout.
     ours = {
         derivation.packaged_directory().resolve(),
         Path(__file__).resolve().parents[1] / "derivations",
@@ -145,17 +146,17 @@ def _share_papers() -> None:
 
 
 def _find_group(item: pytest.Item) -> str:
-    """Name the group that a test is marked with, or its file."""
+    """Return the group that a test is marked with, or else its file."""
     marked = item.get_closest_marker("xdist_group")
     return str(marked.args[0] if marked else item.path.relative_to(Path(__file__).parent))
 
 
 @pytest.fixture(autouse=True, scope="session")
 def cache_apart(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Keep the verdicts of tests out of the user's cache, in one that `--cache-clear` empties.
+    """Keep test verdicts out of the user's cache, in one that `--cache-clear` empties.
 
-    A row is judged anew when the prover or the row differs: all processes of a run, and the runs
-    that follow, may share what one of them has judged.
+    A row is judged again when the prover or the row changes, so all processes of a run, and later
+    runs, can share verdicts.
     """
     cache = request.config.cache
     assert cache is not None
@@ -166,7 +167,7 @@ def cache_apart(request: pytest.FixtureRequest) -> Iterator[None]:
 
 @pytest.fixture(autouse=True, scope="session")
 def commands_built_once() -> Iterator[None]:
-    """Build the commands of an app once, not for each call: that takes longer than most calls."""
+    """Build an app's commands once: building them for each call takes longer than most calls."""
     from typer.main import get_command
 
     with pytest.MonkeyPatch.context() as patch:
@@ -176,7 +177,7 @@ def commands_built_once() -> Iterator[None]:
 
 @pytest.fixture
 def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Judge equations and papers in this process: to start another takes longer than most."""
+    """Judge equations and papers in this process: starting another takes longer than most do."""
     from command import answer_here
 
     for module in ("pipeline.pasted", "document.judging_workers"):

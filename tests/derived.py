@@ -1,4 +1,4 @@
-"""The papers of the package, loaded once in each process of the tests."""
+"""The papers of the package, loaded once in each test process."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ SYSTEMS = find_systems(packaged_directory())
 
 @cache
 def paper_of(system: str) -> Paper:
-    """Return a paper with its prints read."""
+    """Return the paper of a system with its prints read."""
     return find_subjects((system,))[0].paper
 
 
 @cache
 def declared_paper_of(system: str) -> Paper:
-    """Return a paper as its module binds it."""
+    """Return the paper of a system as its module binds it."""
     paper_of(system)
     paper: Paper = sys.modules[derivation._modules[SYSTEMS[system].resolve()]].PAPER
     return paper
@@ -36,10 +36,10 @@ def declared_paper_of(system: str) -> Paper:
 
 @cache
 def judge_all(system: str) -> dict[str, Judgement]:
-    """Return the judgements of all rows of a paper, by their numbers."""
+    """Return the judgements of all rows of a paper, keyed by row number."""
 
     def open_known(place: Path) -> Opened:
-        # What the paper is made of is read, so that the cache notes it.
+        # Load the paper's files, so that the cache notes them.
         derivation.load_paper(place)
         return opened(system)
 
@@ -52,5 +52,5 @@ def judge_all(system: str) -> dict[str, Judgement]:
 
 @cache
 def opened(system: str) -> Opened:
-    """Return a paper with the rows of its forms."""
+    """Return the paper of a system together with the rows of its forms."""
     return open_paper(SYSTEMS[system], paper_of(system))

@@ -1,4 +1,4 @@
-"""What each kind of parameter does not take, and of which kind the parameters are."""
+"""The kind of each parameter, and the values that each kind must refuse."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.laws import Normal
 from mechproof.tolerance import Size
 
 UNITS = [*list_with_units(0.5), *list_with_units([0.5, 1.0])]
-# What is refused where quantities of pint are taken.
+# Refused even by parameters that accept quantities of pint.
 OTHER_UNITS = [*list_other_units(0.5), *list_other_units([0.5, 1.0])]
 NO_NUMBERS = [
     *(None, "1", "x", b"1", {"a": 1.0}, {1.0}, object(), float, 1j),
@@ -25,11 +25,11 @@ NO_NUMBERS = [
 NO_NUMBER = [*NO_NUMBERS, True, False, [], [1.0, 2.0], (1.0,), np.ones(2), np.ones((1, 1))]
 MASKED = np.ma.masked_array([1.0, 2.0], [True, False])
 NO_OBJECTS = [None, "x", 3, 1.5, [], {"a": 1.0}, object(), object]
-# What each kind of parameter does not take.
+# The values that each kind of parameter must refuse.
 REFUSED: dict[str, list[Any]] = {
     "array": NO_NUMBERS,
     "strict array": [*NO_NUMBERS, True, [True], np.longdouble(1), np.ma.masked, MASKED],
-    # A type is called like any function.
+    # A type is callable, so it passes as a function of samples.
     "samples": [bad for bad in NO_NUMBERS if bad is not float],
     "number": NO_NUMBER,
     "exact": [v for v in NO_NUMBER if not (v is None or isinstance(v, str))] + ["x", b"1"],
@@ -125,7 +125,7 @@ KINDS = {
     "sensitivities": "sensitivities",
     "laws": "laws",
 }
-# Of which kind it is in one call, where the name has another elsewhere.
+# The kind of a parameter in one call, where its name has another kind elsewhere.
 ELSEWHERE = {
     "OvalPair.e": "exact",
     "ToothThickness.z": "teeth",
@@ -182,7 +182,7 @@ PLAIN_MECHANISMS = {*mechanisms.__all__} - {"ThicknessInspection"}
 
 
 def list_refused(call: str, parameter: str) -> list[Any]:
-    """List what a parameter of a call does not take."""
+    """List the values that a parameter of a call must refuse."""
     refused = REFUSED[find_kind(call, parameter)]
     if not takes_quantities(call, parameter):
         return refused
@@ -194,7 +194,7 @@ def find_kind(call: str, parameter: str) -> str:
 
 
 def takes_quantities(call: str, parameter: str) -> bool:
-    """Say whether a parameter is a number with a unit of a mechanism."""
+    """Return whether a parameter of a mechanism's call accepts a number with a unit."""
     name, _, method = call.partition(".")
     is_plain = method in ("published", "published_sizes", "tolerance_range", "motion")
     numbers = ("number", "array", "exact", "triple")

@@ -1,4 +1,4 @@
-"""Which module imports which: when it is loaded, inside functions, and for type checkers alone."""
+"""Which module imports which: on loading, inside functions, and for type checkers only."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mechproof import derivations, kernels
 
 
 class Kinds(NamedTuple):
-    """What is imported when a file is loaded, inside functions, and for type checkers alone."""
+    """The modules that a file imports on loading, inside functions, and for type checkers only."""
 
     loaded: frozenset[str]
     inside: frozenset[str]
@@ -21,12 +21,12 @@ class Kinds(NamedTuple):
 
     @property
     def run(self) -> frozenset[str]:
-        """All that is imported when the program runs."""
+        """All modules imported when the program runs."""
         return self.loaded | self.inside
 
 
 def split(tree: ast.Module) -> tuple[list[ast.AST], list[ast.AST], list[ast.AST]]:
-    """Nodes that run when the file is loaded, those inside functions, those of type checkers."""
+    """Return the nodes run on loading, those inside functions, and those for type checkers."""
     loaded: list[ast.AST] = []
     inside: list[ast.AST] = []
     typed: list[ast.AST] = []
@@ -45,7 +45,7 @@ def split(tree: ast.Module) -> tuple[list[ast.AST], list[ast.AST], list[ast.AST]
 
 
 def read_arrows(name: str, source: str, is_package: bool, known: Container[str]) -> Kinds:
-    """Modules, of those that are known, that a module imports."""
+    """Return the modules among `known` that a module imports, other than itself."""
     above = name.split(".") if is_package else name.split(".")[:-1]
     kinds = (_find_modules(nodes, above, known) for nodes in split(ast.parse(source)))
     return Kinds(*(frozenset(found - {name}) for found in kinds))
@@ -66,7 +66,7 @@ def _find_modules(nodes: Iterable[ast.AST], above: list[str], known: Container[s
 
 @cache
 def read_graph() -> Mapping[str, Kinds]:
-    """All modules of the package, of the kernels and of the derivations."""
+    """Return the imports of every module of the package, its kernels and its derivations."""
     homes = {"mechproof": mechproof, "mechproof.kernels": kernels}
     homes["mechproof.derivations"] = derivations
     files = {
@@ -84,7 +84,7 @@ def read_graph() -> Mapping[str, Kinds]:
 
 
 def find_reached(graph: Mapping[str, Iterable[str]], *starts: str) -> set[str]:
-    """Return the nodes to which a way leads, and where it starts."""
+    """Return the nodes that can be reached from `starts`, including these."""
     reached: set[str] = set()
     waiting = list(starts)
     while waiting:
@@ -96,7 +96,7 @@ def find_reached(graph: Mapping[str, Iterable[str]], *starts: str) -> set[str]:
 
 
 def circles(graph: Mapping[str, Iterable[str]]) -> set[str]:
-    """Nodes from which a way leads back."""
+    """Return the nodes that can be reached from themselves."""
     reached = {node: set(graph[node]) for node in graph}
     for middle in graph:
         for node in graph:

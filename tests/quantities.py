@@ -1,7 +1,7 @@
-"""The names of quantities, listed without loading a paper: each worker collects every test.
+"""The names of quantities, listed without loading a paper, since each worker collects every test.
 
-That they are those of the papers is tested in `lab/test_accuracy.py`, and of derivatives in
-`kernels/test_derivatives.py`.
+`lab/test_accuracy.py` tests that they agree with the papers, `kernels/test_derivatives.py` that
+the derivatives do.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def _list_kernels(package: str) -> tuple[str, ...]:
     )
 
 
-# Quantities whose accuracy has a bound, with it, those that have a kernel, and derivatives.
+# Quantities with a bound of their accuracy, mapped to it; those with a kernel; and derivatives.
 BOUNDED = {name: record["bound"] for name, record in _RECORDS.items() if record["bound"]}
 KERNELS = _list_kernels("mechproof.kernels")
 DERIVATIVES = _list_kernels("mechproof.kernels.derivatives")

@@ -1,4 +1,4 @@
-"""Papers of a few lines, with letters that are declared."""
+"""Papers of a few lines, with their letters declared."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def draft(text: str, name: str = "paper.tex") -> str:
 
 
 def judge_rows(block: str, *parts: str) -> tuple[CheckedRow, ...]:
-    """Return the rows of displays; what begins with # are words before the next one."""
+    """Return the rows of the displays in `parts`; a part starting with # is text between them."""
     shown = (
         f"{part[1:]}\n" if part.startswith("#") else f"\\begin{{equation}}{part}\\end{{equation}}\n"
         for part in parts
@@ -52,7 +52,7 @@ def judge_rows(block: str, *parts: str) -> tuple[CheckedRow, ...]:
 
 
 def judge_parts(block: str, *parts: str) -> list[str]:
-    """Return their outcomes."""
+    """Return the outcomes of `judge_rows`."""
     return [row.outcome for row in judge_rows(block, *parts)]
 
 

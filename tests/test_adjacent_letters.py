@@ -1,4 +1,4 @@
-"""Single equations: what letters side by side are taken for, and derivatives of given letters."""
+"""Single equations: how adjacent letters are read, and derivatives of given letters."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from mechproof.proof.verdict import Verdict
 
 PROVED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.REFUTED, Verdict.UNDECIDED
 
-# A print, what is said of its letters, and its verdict.
+# A print, the values given for its letters, and its verdict.
 ROWS = [
     (r"r(1-\cos\varphi)=r-r\cos\varphi", (), PROVED),
     (r"r(1-\cos\varphi)=r+r\cos\varphi", (), REFUTED),
     (r"\dot\varphi(1-\cos\alpha)=\dot\varphi-\dot\varphi\cos\alpha", (), PROVED),
     (r"\hat a(1-\cos\alpha)=\hat a+\hat a\cos\alpha", (), REFUTED),
     (r"\int_0^{2\pi}r^2(1-\cos t)^2\,dt=3\pi r^2", (), PROVED),
-    # A function has no place outside an integral over its argument.
+    # b cannot be a function of y: it also appears outside the integral.
     (r"\int_{-h/2}^{h/2}b(y+a)^2\,\mathrm dy=\frac{bh^3}{12}+a^2bh", (), PROVED),
     (r"\int_{-h/2}^{h/2}b(y+a)^2\,\mathrm dy=\frac{bh^3}{12}+2a^2bh", (), REFUTED),
     (r"\int_{-R}^R\rho\left(R^2-x^2\right)\mathrm{d}x=\tfrac43\rho R^3", (), PROVED),
@@ -49,20 +49,20 @@ ROWS = [
     ),
     (r"\frac{\mathrm d}{\mathrm dt}\mathrm e^{-\delta t}=-\delta\mathrm e^{-\delta t}", (), PROVED),
     (r"\mathrm e^{-\delta t}\cos t\le\mathrm e^{-\delta t}", (), PROVED),
-    # A letter and one that goes to a limit are one argument.
+    # A letter followed by the letter that tends to a limit forms one argument.
     (r"\lim_{x\to0}\frac{\sin2ax}{\tan bx}=\frac{2a}b", (), UNDECIDED),
     (r"\lim_{x\to0}\frac{\sin2ax}{\tan2x}=a", (), PROVED),
     (r"\lim_{x\to0}\frac{1-\cos ax}{x^2}=\frac{a^2}2", (), PROVED),
     (r"\lim_{x\to0}\frac{\sin ax}x=\sin a", (), REFUTED),
     (r"\lim_{x\to\infty}\sin ax=0", (), UNDECIDED),
-    # A letter and one that is integrated over, too, if the differential stands before them.
+    # So does a letter followed by the variable of integration, if the differential comes first.
     (r"\int_0^\infty\frac{dx}{1+\sinh^2ax}=\frac1a", ("a=|b|+1",), PROVED),
     (r"\int_0^1\frac{dx}{\cosh^2ax}=\frac1{\cosh^2a}", (), REFUTED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=2x", (), PROVED),
     (r"\lim_{\Delta x\to0}\frac{(x+\Delta x)^2-x^2}{\Delta x}=x", (), REFUTED),
     ("y'=2x", ("y=x^2",), PROVED),
     ("y'=3x", ("y=x^2",), REFUTED),
-    # Euler's number runs with nothing; a bracket with the letter itself is no argument of it.
+    # Euler's number depends on nothing; a bracket containing the letter itself is not its argument.
     ("y'=y(1-y)", (r"y=\frac1{1+e^{-x}}",), PROVED),
     ("y'=y(1+y)", (r"y=\frac1{1+e^{-x}}",), REFUTED),
     ("y''-y=0", ("y=Ae^x+Be^{-x}",), PROVED),
@@ -75,7 +75,7 @@ ROWS = [
     (r"\ddot x+\omega^2x=0", (r"x=A\cos(\omega t)",), PROVED),
     (r"\ddot x-\omega^2x=0", (r"x=A\cos(\omega t)",), REFUTED),
 ]
-# What stays open, and words of the question.
+# A print with two readings, the values given, and words of the question asked.
 ASKED = [
     ("y'=2z", ("y=x^2+z^2", "x=2"), "by what"),
     ("f(x+h)-f=h", (), "the argument of a function"),

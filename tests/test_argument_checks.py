@@ -1,4 +1,4 @@
-"""Checks of arguments: one message, "name = value: what is allowed", on one line."""
+"""Argument checks: each message reads "name = value: what is allowed", on one line."""
 
 from __future__ import annotations
 

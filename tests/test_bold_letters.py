@@ -1,4 +1,4 @@
-"""Single equations: vectors and matrices by their letters."""
+"""Single equations: vectors and matrices recognised by their letters."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ ROWS = [
     (rf"\det({_M}{_N})=\det{_M}\det{_N}", PROVED),
     (rf"{_M}{_N}={_N}{_M}", REFUTED),
     (rf"{_M}\mathbf x\cdot\mathbf y=\mathbf x\cdot{_M}^T\mathbf y", PROVED),
-    # What stands alone on one side only is introduced.
+    # A letter that is alone on one side and absent from the other is being defined.
     (r"\mathbf v=\boldsymbol\omega\times\mathbf r", DEFINITION),
     (r"\mathbf F=m\mathbf a", DEFINITION),
     (r"\vec r_{AB}+\vec r_{BC}=\vec r_{AC}", DEFINITION),
     (rf"{_A}=2{_A}", REFUTED),
-    # Those that depend on the time, with their derivatives beside them.
+    # Letters that depend on time appear together with their derivatives.
     (rf"\frac d{{dt}}({_A}\cdot{_B})=\dot{{{_A}}}\cdot{_B}+{_A}\cdot\dot{{{_B}}}", PROVED),
     (rf"\frac d{{dt}}({_A}\cdot{_B})=\dot{{{_A}}}\cdot\dot{{{_B}}}", REFUTED),
     (rf"\frac d{{dt}}({_A}\times{_B})=\dot{{{_A}}}\times{_B}+{_A}\times\dot{{{_B}}}", PROVED),

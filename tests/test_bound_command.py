@@ -1,4 +1,4 @@
-"""`mechproof bound` tells what is proved, what is found and what is not; so does Python."""
+"""`mechproof bound` reports proved bounds, errors found and open boxes; so does Python."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_files_are_bounded_and_what_is_not_fails(file: Path, tmp_path: Path) -> 
 def test_expressions_are_bounded(tmp_path: Path) -> None:
     code, output = run(r"y=\frac{a x}{1+x^2}", "--where", "1<x<2", "--let", "a=3", "--relative")
     assert code == 0
-    # Four roundings, of which that of the divisor and of its square count less.
+    # Four roundings; those of the square and of the divisor count less.
     assert "relative error at most 3.3" in output
     assert run(r"\pi x", "--where", "1<x<2")[0] == 0
     code, output = run(r"\sin x", "--where", "0<x<1", "--ulps", "0.75", "--rounded-inputs")

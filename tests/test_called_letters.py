@@ -1,4 +1,4 @@
-"""Single equations with functions: f(x)=x^2 that is said, and any function f."""
+"""Single equations with functions: a given one, such as f(x)=x^2, or an arbitrary f."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# A print, what is true, and what is not.
+# A print, an insertion that makes it true, and one that makes it false.
 ANY = [
     (r"\frac{d}{dx}\int_0^xf(t)\,dt=%s", "f(x)", "f'(x)"),
     (r"\frac{d}{dx}\int_x^{x^2}f(t)\,dt=%s", "2xf(x^2)-f(x)", "f(x^2)-f(x)"),
@@ -29,7 +29,7 @@ ANY = [
     (r"\lim_{h\to0}\frac{f(x+h)-f(x-h)}h=%s", "2f'(x)", "f'(x)"),
     (r"f(x)=f(0)+xf'(0)+%s", r"\int_0^x(x-t)f''(t)\,dt", r"\int_0^xtf''(t)\,dt"),
 ]
-# What is not true of all functions, or where it has no value; what is a condition on a function.
+# Not true of all functions, or not everywhere defined, or a condition on the function.
 NOT_PROVED = [
     r"\int_{-a}^af(x)\,dx=0",
     r"\int_0^1f(x)\,dx=1",
@@ -50,7 +50,7 @@ REFUSED = [
     r"\int_0^1pf(x)\,dx=p\int_0^1f(x)\,dx",
     "f(x+h)=f(x)",
 ]
-# A print, what is said of the function, what is true and what is not.
+# A print, the definition of the function, a true insertion and a false one.
 SAID = [
     ("f(x+%s)=f(x)", (r"f(x)=\sin x+\cos2x",), r"2\pi", r"\pi"),
     ("f(f(x))=%s", (r"f(x)=\frac{1-x}{1+x}",), "x", "-x"),

@@ -25,7 +25,7 @@ INVOLUTE = r"x^2+y^2=r^2{}r^2t^2"
 CURVE = ("--let", r"x=r\cdot(\cos t+t\sin t)", "--let", r"y=r\cdot(\sin t-t\cos t)")
 
 CHECKED = [
-    # Three formulas of textbooks, the third with a misprint, then what the options say.
+    # Three formulas from textbooks, the third with a misprint, then uses of the options.
     ([r"\int_0^x \frac{dt}{1+t^2} = \mathrm{arctg}\,x"], ["PROVED"]),
     ([r"\sin\alpha+\sin\beta=2\sin\frac{\alpha+\beta}{2}\cos\frac{\alpha-\beta}{2}"], ["PROVED"]),
     ([r"\cos 3x=4\cos^3 x-3\sin x"], ["REFUTED"]),
@@ -53,8 +53,8 @@ CHECKED = [
     ([r"\tan A+\tan B+\tan C=\tan A\tan B\tan C", "--where", r"A+B+C=\pi"], ["PROVED"]),
     ([r"\sin A+\sin B=\sin C", "--where", r"A+B+C=\pi"], ["REFUTED"]),
     ([r"s(s-a)=\frac{(b+c)^2-a^2}4", "--where", r"s=\frac{a+b+c}2"], ["PROVED"]),
-    # Of three textbooks of mechanisms, each as it is and with one misprint: the stroke of a slider
-    # crank, the sides of a Cardan joint, the distance from the centre of an involute.
+    # From three textbooks on mechanisms, each as printed and with one misprint: the stroke of a
+    # slider-crank, the sides of a Cardan joint, an involute's distance from the centre.
     ([STROKE.format(r"\lambda^2"), *CRANK], ["PROVED"]),
     ([STROKE.format(r"\lambda"), *CRANK], ["REFUTED"]),
     ([CARDAN.format(r"\sin^2\varphi"), *JOINT], ["PROVED"]),
@@ -84,7 +84,7 @@ CHECKED = [
     ([r"\prod_{k=1}^nk=(n+1)!"], ["REFUTED"]),
     ([r"\max(x,-10^9)=x"], ["REFUTED"]),
     ([r"z_1d_1=d_1z_1"], ["PROVED"]),
-    # Braces behind a function, conditions behind an equation, bars around a matrix.
+    # Braces after a function, conditions after an equation, bars around a matrix.
     ([r"\exp{-x}=\frac1{\exp{x}}"], ["PROVED"]),
     ([r"\exp{x+y}=\exp{x}\exp{y}"], ["PROVED"]),
     ([r"\cos{-x}=\cos{x}"], ["PROVED"]),

@@ -1,4 +1,4 @@
-"""Pasted equations with double signs, limits, derivatives and factorials, each with a neighbour."""
+"""Pasted equations with double signs, limits, derivatives and factorials, and false neighbours."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ PEAK = r"\int_0^\infty1000e^{-10^6(x-300)^2}dx"
 PAIRS = [
     (r"(a\pm b)^2=a^2\pm 2ab+b^2", r"(a\pm b)^2=a^2\mp 2ab+b^2", ()),
     (r"\cos(a\pm b)=\cos a\cos b\mp\sin a\sin b", r"\cos(a\pm b)=\cos a\cos b\pm\sin a\sin b", ()),
-    # Of an integral over a narrow peak SymPy would estimate less than 1.
+    # SymPy would estimate the integral over this narrow peak as less than 1.
     (rf"\sqrt{{({PEAK}-1)^2}}={PEAK}-1", rf"\sqrt{{({PEAK}-1)^2}}=1-{PEAK}", ()),
-    # Rounded values of what no ball encloses as it stands.
+    # Rounded values of terms that no ball encloses in the form printed.
     (r"\int_0^\infty e^{-x^2}dx=0.886", r"\int_0^\infty e^{-x^2}dx=0.887", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}\approx1.645", r"\sum_{n=1}^\infty\frac1{n^2}\approx1.644", ()),
     (r"\pi\simeq3.1416", r"\pi\simeq3.1417", ()),
-    # What is left out of a product is no zero in it.
+    # A factor left out of a product does not count as zero.
     (r"\prod_{k=1,k\ne2}^3k=3", r"\prod_{k=1,k\ne2}^3k=0", ()),
     (r"\prod_{\substack{k=1\\k\ne1}}^nk=n!", r"\prod_{\substack{k=1\\k\ne2}}^nk=n!", ()),
-    # One sign alone is right: the other one shows it.
+    # Only one of the two signs is right; the other one shows the error.
     (r"x\mp x^2=\mp x^2+x", r"1\pm2=2\pm1", ()),
     (r"\lim_{x\to0}\frac{\sin x}{x}=1", r"\lim_{x\to0}\frac{\sin x}{x}=2", ()),
     (r"\lim_{x\to0}\frac{1-\cos x}{x^2}=\frac12", r"\lim_{x\to0}\frac{1-\cos x}{x^2}=1", ()),
@@ -109,7 +109,7 @@ PAIRS = [
     (r"z_1^2\equiv z_1\pmod 2", r"z_1^2\equiv z_1\pmod 3", ()),
     (r"(a+b)^3\equiv a^3+b^3\pmod 6", r"(a+b)^3\equiv a^3+b^3\pmod 4", ()),
     (r"n^3-n\equiv0\pmod6", r"n^3-n\equiv0\pmod9", (r"n\in\mathbb N",)),
-    # By one of any numbers.
+    # Modulo 1, of any numbers.
     (r"x\bmod1=x-\lfloor x\rfloor", r"x\bmod1=x-\lceil x\rceil", ()),
     (r"x+3\equiv x\pmod{1}", r"2x\equiv x\pmod{1}", ()),
     (r"\varphi-\pi\equiv\varphi+\pi\pmod{2\pi}", r"\varphi-\pi\equiv\varphi\pmod{2\pi}", ()),
@@ -125,16 +125,16 @@ PAIRS = [
     (r"\frac{(2n)!}{n!^2}=\binom{2n}n", r"\frac{(2n)!}{n!^3}=\binom{2n}n", ()),
 ]
 NOT_PROVED = [
-    # A divisor that is zero is seen as one, though it is not written so.
+    # A divisor that is identically zero is recognised, though it is not written as 0.
     r"\frac{\sin2x-2\sin x\cos x}{\sin^2x+\cos^2x-1}=0",
     r"\frac{(x+1)^2-x^2-2x-1}{(x-1)^2-x^2+2x-1}=1",
-    # No value, or none that is shown.
+    # Without a value, or without one that is shown to exist.
     r"\lim_{x\to0}\frac1x=\lim_{x\to0}\frac1x",
     r"\lim_{x\to0}\sin\frac1x=0",
     r"\lim_{x\to a}\sqrt{x}=\sqrt{a}",
     r"\lim_{x\to0}x\ge0",
-    # A logarithm is not undone or cancelled where it has no value; the same of roots, and of what
-    # has no value anywhere.
+    # A logarithm is not undone or cancelled where it has no value; nor is a root, nor an
+    # expression that has no value anywhere.
     r"\mathrm{e}^{\ln x}=x",
     r"\ln x-\ln x=0",
     r"0\cdot\ln x=0",
@@ -167,17 +167,17 @@ NOT_PROVED = [
     r"\lim_{x\to0}(\sqrt{-x^2}\sqrt{-x^2})=0",
 ]
 SAID = [
-    # What both sides need is said, unless it is shown.
+    # Conditions that both sides need are stated, unless they are shown to hold.
     (r"\sqrt x=\sqrt x", "x >= 0"),
     (r"\lg x+\lg x=2\lg x", "x > 0"),
     # A derivative is compared where the function has values.
     (r"\frac{d}{dx}\ln x=\frac1x", "x > 0"),
     (r"\frac{d}{dx}(\ln x-\ln x)=0", "x > 0"),
     (r"\ln(x+1000)=\ln(1000+x)", "x + 1000 > 0"),
-    # Of more letters few points have values.
+    # With more letters, only few points have values.
     (r"\log_ax=\frac{\ln x}{\ln a}", "a > 0 and x > 0"),
     (r"\ln a+\ln b+\ln c=\ln c+\ln b+\ln a", "a > 0 and b > 0 and c > 0"),
-    # Beyond, the integral has no value, either.
+    # Outside this range the integral has no value either.
     (r"\int_1^x\frac{dt}t=\ln x", "x > 0"),
     (r"\int_1^x\frac{dt}{\sqrt t}=2\sqrt x-2", "x >= 0"),
     (r"\int_1^x\ln t\,dt=x\ln x-x+1", "x > 0"),
@@ -185,7 +185,7 @@ SAID = [
     (r"\sqrt{x-y}(x+y)=x\sqrt{x-y}+y\sqrt{x-y}", "x - y >= 0"),
 ]
 DEFINED = [
-    # The same where all that is printed has a value, whatever a denominator is.
+    # Both sides agree wherever everything printed has a value, whatever a denominator is.
     (r"\mathrm{e}^{\ln x}=x", ("x>0",)),
     (r"\ln x-\ln x=0", ("x>0",)),
     (r"\ln(x+1000)=\ln(1000+x)", ("x>-1000",)),

@@ -1,4 +1,4 @@
-"""Pasted integrals, limits and sums of a textbook, each with a neighbour that is not true."""
+"""Pasted integrals, limits and sums from a textbook, each with a false neighbour."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# The print with a place for the value, the true value, a wrong one, and what is said.
+# A print with a place for its value, the true value and a wrong one, and the conditions stated.
 PAIRS = [
     (
         r"\int_0^z\frac{dt}{t^2+\frac{(1-e)^2}{(1+e)^2}}=%s",
@@ -57,7 +57,7 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^1x^n\ln x\,dx=%s", (r"-\frac1{(n+1)^2}", r"-\frac1{n^2+1}"), (r"n\in\mathbb N",)),
-    # Gamma functions of halves, by induction.
+    # Gamma functions of half-integers, by induction.
     (
         r"\Gamma\left(n+\frac12\right)=%s\sqrt\pi",
         (r"\frac{(2n)!}{4^nn!}", r"\frac{(2n)!}{2^nn!}"),
@@ -86,7 +86,7 @@ PAIRS = [
     (r"\frac{d^n}{dx^n}x^{n+1}=%s", ("(n+1)!x", "n!x"), ()),
     (r"\frac{d^n}{dx^n}x^3=%s", ("0", "6"), (r"n\ge4",)),
     (r"\frac{d^{2n}}{dx^{2n}}\cos x=%s", (r"(-1)^n\cos x", r"-\cos x"), ()),
-    # Floors, by the steps within a period.
+    # Floors, step by step within a period.
     (
         r"\lfloor x\rfloor+\left\lfloor x+\frac12\right\rfloor=%s",
         (r"\lfloor2x\rfloor", r"2\lfloor x\rfloor"),
@@ -103,7 +103,7 @@ PAIRS = [
     (r"\lim_{n\to\infty}\frac{3n+(-1)^n}{2n-1}=%s", (r"\frac32", "2"), ()),
     (r"\lim_{n\to\infty}\frac{1+(-1)^{2n}}2=%s", ("1", "0"), ()),
     (r"\lim_{n\to\infty}\frac{(-1)^{n(n+1)/2}+n}n=%s", ("1", "0"), ()),
-    # From both ends, by cosines, and over one period after the other.
+    # By reflecting the interval, by exchanging sine and cosine, and period by period.
     (r"\int_0^\pi\frac{x\sin x}{1+\cos^2x}dx=%s", (r"\frac{\pi^2}4", r"\frac{\pi^2}2"), ()),
     (r"\int_{-1}^1\frac{x^2}{1+e^x}dx=%s", (r"\frac13", r"\frac23"), ()),
     (
@@ -112,7 +112,7 @@ PAIRS = [
         (r"n\in\mathbb N",),
     ),
     (r"\int_0^{n\pi}|\sin x|\,dx=%s", ("2n", "n"), (r"n\in\mathbb N",)),
-    # Lengths of arcs, whose roots are those of squares.
+    # Arc lengths whose radicands are squares.
     (
         r"\int_0^\alpha r\sqrt{(t\cos t)^2+(t\sin t)^2}\,dt=%s",
         (r"\frac{r\alpha^2}2", r"r\alpha^2"),
@@ -145,7 +145,7 @@ PAIRS = [
     (r"a^n-b^n=(a-b)\sum_{k=0}^{n-1}%s", ("a^{n-1-k}b^k", "a^{n-k}b^k"), ()),
     (r"\sum_{k=1}^n2^{n-k}=%s", ("2^n-1", "2^n"), ()),
     (r"\sum_{k=1}^n(-1)^{n-k}k=%s", (r"\frac{2n+1-(-1)^n}4", r"\frac{2n+1}4"), ()),
-    # Angles that rise by the same step.
+    # Angles that increase in equal steps.
     (r"\sum_{k=0}^{n-1}\cos\left(x+\frac{2\pi k}n\right)=%s", ("0", r"\cos x"), (r"n\ge2",)),
     (r"\sum_{k=0}^{n-1}\cos^2\left(x+\frac{2\pi k}n\right)=%s", (r"\frac n2", "n"), (r"n\ge3",)),
     (r"\sum_{k=1}^n\sin\frac{2\pi k}n\cos\frac{2\pi k}n=%s", ("0", r"\frac{n-2}n"), ()),
@@ -157,7 +157,7 @@ PAIRS = [
         (r"\frac{\sin nx}{2^{n-1}}", r"\frac{\sin nx}{2^n}"),
         (),
     ),
-    # Limits of sequences, by their quotients, and of what is like its argument.
+    # Limits of sequences by their quotients, and of functions that behave like their arguments.
     (r"\lim_{n\to\infty}\frac{n!}{n^n}=%s", ("0", "1"), ()),
     (r"\lim_{n\to\infty}\frac{a^n}{n!}=%s", ("0", "a"), ()),
     # Roots of degree n, by the quotients of radicands.
@@ -199,7 +199,7 @@ PAIRS = [
         ("-1<x<1",),
     ),
     (r"\prod_{n=2}^\infty\left(1-\frac1{n^2}\right)=%s", (r"\frac12", r"\frac13"), ()),
-    # From one whole number to the next by parts.
+    # By parts, from one whole number to the next.
     (r"\int_0^\infty x^ne^{-x}dx=%s", ("n!", "(n+1)!"), ()),
     (r"\int_0^\infty x^ne^{-ax}dx=%s", (r"\frac{n!}{a^{n+1}}", r"\frac{n!}{a^n}"), ("a>0",)),
     (r"\int_0^1(\ln x)^ndx=%s", ("(-1)^nn!", "n!"), ()),
@@ -232,19 +232,19 @@ FACTORIALS = [
     (r"\prod_{k=1}^n\frac{2k-1}{2k}=%s", r"\frac{(2n-1)!!}{(2n)!!}", r"\frac{(2n)!!}{(2n+1)!!}"),
 ]
 NOT_PROVED = [
-    # The same from the other end has a constant sum with it, but neither has an integral.
+    # The integrand and its mirror image have a constant sum, but neither has an integral.
     (r"\int_0^{\frac\pi2}\left(\frac12+\cot2x\right)dx=\frac\pi4", ()),
-    # Floors that are alike but for single numbers, and of different numbers.
+    # Floors that agree except at isolated numbers, and floors of different numbers.
     (r"\lfloor x\rfloor+\lfloor-x\rfloor=-1", ()),
     (r"\lfloor x\rfloor<x", ()),
     (r"\lfloor x\rfloor+1\le x+\lfloor y\rfloor-\lfloor z\rfloor", ()),
     (r"\left\lfloor\frac x2\right\rfloor+\left\lceil\frac x2\right\rceil=x", ()),
-    # Another limit for even n than for odd n, or one of them alone.
+    # Limits that differ for even and for odd n, or that exist for only one of them.
     (r"\lim_{n\to\infty}(-1)^n=1", ()),
     (r"\lim_{n\to\infty}(-1)^{n(n+1)/2}=1", ()),
     (r"\lim_{n\to\infty}\frac{n(-1)^n}{n+1}=1", ()),
     (r"\lim_{n\to\infty}(1+(-1)^n)n=0", ()),
-    # Derivatives at a single place, and where the function has no value.
+    # Derivatives at a single point, and where the function has no value.
     (r"\frac{d^n}{dx^n}x^2=2x", (r"x\ge1", r"x\le1")),
     (r"\frac{d^n}{dx^n}\ln x=\frac{(-1)^{n-1}(n-1)!}{x^n}", ("x<0",)),
     (r"\frac{d^n}{dx^n}x^2=0", (r"n\ge m", r"m\in\mathbb N")),
@@ -256,15 +256,15 @@ NOT_PROVED = [
     (r"\int_{-\infty}^\infty e^{-ax^2}dx=\sqrt{\pi/a}", (r"a\ge0",)),
     (r"\int_{-\infty}^\infty e^{-ax^2+bx}dx=\sqrt{\frac\pi a}e^{\frac{b^2}{4a}}", (r"a\ne0",)),
     (r"\int_0^1x^n\ln x\,dx=-\frac1{(n+1)^2}", ()),
-    # By parts from one number to the next: no limit at an end, no value for the first number, a
-    # pole between the limits.
+    # By parts, from one whole number to the next: no limit at an end, no value for the first
+    # number, a pole between the limits.
     (r"\int_{-\infty}^\infty x^ne^{-x}dx=n!", ()),
     (r"\int_0^\infty x^ne^{-ax}dx=\frac{n!}{a^{n+1}}", (r"a\ne0",)),
     (r"\int_0^\infty x^{-n}e^{-x}dx=n!", ()),
     (r"\int_0^1x^{n-2}(1-x)^mdx=\frac{m!(n-2)!}{(m+n-1)!}", ()),
     (r"\int_0^\infty\sin^nx\,dx=\pi\frac{(2n)!}{4^n(n!)^2}", ()),
     (r"\int_{-2}^0\frac{dx}{(1+x)^{2n}}=\frac{2}{1-2n}", (r"n\in\mathbb N",)),
-    # Poles that are alike from both ends, or in each period; a factor that is none.
+    # Poles that look alike from both ends, or in each period; a supposed factor that is not one.
     (r"\int_{-1}^1\frac{dx}{x^3}=0", ()),
     (r"\int_0^2\frac{dx}{x-1}=0", ()),
     (r"\int_0^\pi\tan x\,dx=0", ()),
@@ -272,7 +272,7 @@ NOT_PROVED = [
     (r"\int_0^n\frac{dx}{x-n}=0", (r"n\in\mathbb N",)),
     (r"\sum_{k=1}^n(n-k)!=n!", ()),
     (r"a^n-b^n=(a+b)\sum_{k=0}^{n-1}a^{n-1-k}b^k", ()),
-    # Roots of squares of what may have either sign, or none between the limits.
+    # Roots of squares whose base may have either sign, or has no value between the limits.
     (r"\int_a^b\sqrt{t^2}\,dt=\frac{b^2-a^2}2", ("b>a",)),
     (r"\int_0^x\sqrt{1-\sin^2t}\,dt=\sin x", ("x>0",)),
     (r"\int_0^l\sqrt{\cosh^2\frac xa-1}\,dx=a\cosh\frac la-a", ("a>0",)),
@@ -292,7 +292,7 @@ NOT_PROVED = [
     (r"\prod_{k=0}^{n-1}\cos\left(x+\frac{k\pi}n\right)=\frac{\cos nx}{2^{n-1}}", ()),
     (r"\prod_{k=1}^{n-1}a\sin\frac{k\pi}n=\frac{na}{2^{n-1}}", ()),
     (r"\prod_{k=1}^{n-2}\sin\frac{k\pi}n=\frac n{2^{n-1}\sin\frac\pi n}", ()),
-    # Quotients that come to 1 or more, or have none; what has no value far out.
+    # Quotients that tend to 1 or more, or to no limit; terms without a value far out.
     (r"\lim_{n\to\infty}q^n=0", (r"|q|\le1", r"n\in\mathbb N")),
     (r"\lim_{n\to\infty}\frac{3^nn!}{n^n}=0", ()),
     (r"\lim_{n\to\infty}\frac{n!}{a^n}=0", ()),

@@ -1,4 +1,4 @@
-"""Pasted equations whose letters are given: by values, by counts, by what implies them."""
+"""Pasted equations whose letters are given: by values, as counts, by conditions before arrows."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_a_root_that_a_value_cancels_needs_one() -> None:
     assert judge(r"\sqrt x\sqrt x=x", values=("x=a^2",)).verdict == "PROVED"
 
 
-# A root of a product says nothing of a factor where the other one is zero.
+# A root of a product says nothing about one factor where the other is zero.
 HIDDEN = [
     (r"\frac{a+b}2\ge\sqrt{ab}", "a>=0"),
     (r"\sqrt{ab}\ge-b", "a>=0"),
@@ -63,7 +63,7 @@ def test_a_mean_is_not_less_than_the_root() -> None:
     assert judge(r"\frac{a+b}2\ge\sqrt{ab}", "a>=0", "b>=0").verdict == "PROVED"
 
 
-# From 1 on, and from 0.
+# A print, its verdict for n from 1 onwards, and its verdict for n from 0 onwards.
 COUNTS = [
     (r"\sum_{k=0}^n(-1)^k\binom nk=0", "PROVED", "REFUTED"),
     (r"\prod_{k=1}^n\left(1-\frac1k\right)=0", "PROVED", "REFUTED"),
@@ -136,7 +136,7 @@ def test_what_is_no_real_number_is_refused(latex: str, reason: str) -> None:
     assert judge_pasted(Pasted(rf"{name}=-1", names=(name,))).judgements
 
 
-# Powers of counts, and multiples of half turns, beside twins.
+# Powers with counts as exponents, and multiples of half turns, each with a false twin.
 POWERS = [
     (r"\frac{d}{dx}x^n=nx^{n-1}", r"\frac{d}{dx}x^n=nx^n"),
     (r"\frac{d}{dx}x^2=2x", r"\frac{d}{dx}x^2=2"),
@@ -156,7 +156,7 @@ def test_a_letter_of_a_value_may_be_introduced() -> None:
     assert judge("a=2x", values=("k=a/b",)).verdict == "DEFINITION"
 
 
-# Decimals that letters are given by, beside others that are no roundings.
+# Letters given by a decimal: one that is a rounding of the other side, and one that is not.
 ROUNDED = [
     (r"\omega=2\pi n/60", ("n=1500",), r"\omega=%s", "157.08", "157.18"),
     (r"2\pi n/60=\omega", ("n=1500",), r"\omega=%s", "157.1", "157.0"),
@@ -192,7 +192,7 @@ def test_a_letter_of_the_equation_is_no_unit() -> None:
     assert judge("d-m=m", values=("d=2 m",)).verdict == "PROVED"
 
 
-# Of an equation one letter is taken that it gives, or its reciprocal.
+# A condition that is an equation is solved for one of its letters, or for a reciprocal.
 TIED = [
     (r"\frac1p+\frac1q=1", "p+q=%s", "pq", "2pq"),
     (r"\frac1p+\frac1q=1", "(p-1)(q-1)=%s", "1", "2"),
@@ -224,7 +224,8 @@ def test_what_a_value_says_in_other_words_is_compared() -> None:
     assert judge(r"\dot x=\dot y", values=("x=2y",)).verdict == "REFUTED"
 
 
-# Derivatives of letters whose values move with others: the values, what is true, and what not.
+# Derivatives of letters whose values depend on moving letters: the values, the print, a true
+# insertion and a wrong one.
 RATES = [
     ((r"x=r\cos\varphi",), r"\dot x=%s", r"-r\dot\varphi\sin\varphi", r"r\dot\varphi\sin\varphi"),
     (
@@ -272,7 +273,7 @@ def test_letters_in_values_may_move(
     assert judge(latex % wrong, values=values).verdict == "REFUTED"
 
 
-# Of other letters it is not said whether they move.
+# Values with other letters, of which it is not stated whether they move.
 OPEN_RATES = [
     (r"x=s\cos\varphi", r"\dot x=-s\dot\varphi\sin\varphi"),
     (r"x=A\cos(\omega t+\varphi)", r"\dot x\dot\varphi=-A\omega\sin(\omega t+\varphi)\dot\varphi"),
@@ -309,7 +310,7 @@ def test_what_is_taken_as_a_constant_is_told(latex: str, value: str, told: dict[
     assert {letter: taken[letter] for letter in told} == told
 
 
-# A curve, a derivative along it, what it is and what it is not.
+# A curve, a derivative along it, its true value and a wrong one.
 CURVES = [
     (
         (r"x=r(t-\sin t)", r"y=r(1-\cos t)"),

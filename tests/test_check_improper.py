@@ -1,4 +1,4 @@
-"""Pasted improper integrals and limits from both sides, with what has no value."""
+"""Pasted improper integrals, limits from both sides, and expressions without a value."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# The print with a place for the value, the true value, a wrong one, and what is said.
+# A print with a place for its value, the true value, a wrong one, and the conditions stated.
 PAIRS = [
     (r"\int_{-1}^1\frac{dx}{\sqrt[3]x}=%s", "0", "1", ()),
     (r"\int_0^3\frac{dx}{\sqrt[3]{x-1}}=%s", r"\frac32(\sqrt[3]4-1)", "3", ()),
@@ -55,7 +55,7 @@ PAIRS = [
     (r"\int_0^\infty\frac{x^{a-1}}{1+x}\,dx=%s", r"\frac\pi{\sin\pi a}", r"\sin\pi a", ("0<a<1",)),
     (r"\int_0^\infty\frac{x^3}{e^x-1}\,dx=%s", r"\frac{\pi^4}{15}", r"\frac{\pi^4}{90}", ()),
     (r"\int_0^\infty\frac{x^2}{e^x-1}\,dx=%s", r"2\sum_{n=1}^\infty\frac1{n^3}", "2", ()),
-    # Of the table: over a half turn and a whole one.
+    # From the table: over a half turn and over a whole one.
     (r"\int_0^\pi\ln(1-2a\cos x+a^2)\,dx=%s", "0", r"\pi a", ("-1<a<1",)),
     (r"\int_0^{2\pi}\ln(1-2a\cos x+a^2)\,dx=%s", r"4\pi\ln a", "0", ("a>1",)),
     (
@@ -76,13 +76,13 @@ PAIRS = [
         r"\frac{2\pi}{\sqrt{a^2-b^2+c^2}}",
         ("a>0", "b^2+c^2<a^2"),
     ),
-    # Between letters, as from 0 to 1.
+    # With letters as limits, as with 0 and 1.
     (r"\int_a^b\sqrt{(x-a)(b-x)}\,dx=%s", r"\frac\pi8(b-a)^2", r"\frac\pi4(b-a)^2", ("a<b",)),
     (r"\int_a^b\frac{dx}{\sqrt{(x-a)(b-x)}}=%s", r"\pi", r"\frac\pi2", ("a<b",)),
     # Roots of fractions.
     (r"\int_0^1\sqrt{\frac{1-x}{1+x}}\,dx=%s", r"\frac\pi2-1", r"\frac\pi2+1", ()),
     (r"\int_{-1}^1\sqrt{\frac{1+x}{1-x}}\,dx=%s", r"\pi", r"2\pi", ()),
-    # By parts, a fraction before the logarithm.
+    # By parts, with a fraction in front of the logarithm.
     (
         r"\int_0^1\frac{x\ln x}{(a+x^2)^2}dx=%s",
         r"-\frac1{4a}\ln\frac{1+a}a",
@@ -91,7 +91,7 @@ PAIRS = [
     ),
     (r"\int_0^1\frac{\ln(1+x)}{(1+x)^2}dx=%s", r"\frac12-\frac12\ln2", r"\frac12\ln2", ()),
     (r"\int_1^2\frac{\ln a\ln x}{x}dx=%s", r"\frac12\ln a\ln^22", r"\ln a\ln^22", ("a>0",)),
-    # By error functions and sine integrals, and by what the integrand is made of.
+    # By error functions and sine integrals, and by the parts of the integrand.
     (r"\int_0^\infty x^2e^{-x^2}dx=%s", r"\frac{\sqrt\pi}4", r"\frac{\sqrt\pi}2", ()),
     (
         r"\int_0^\infty x^4e^{-ax^2}dx=%s",
@@ -113,9 +113,9 @@ PAIRS = [
         ("a>0",),
     ),
     (r"\int_0^\infty\frac{dx}{\sqrt x(1+x)}=%s", r"\pi", r"\frac\pi2", ()),
-    # Refuted where letters are given and the integral is worked out there.
+    # Refuted by giving the letters values and evaluating the integral there.
     (r"\int_0^\infty x^ne^{-ax}dx=%s", r"\frac{n!}{a^{n+1}}", r"\frac{n!}{a^n}", ("a>0",)),
-    # Between poles and beyond, where the integral has a value, a finite one or not.
+    # Up to poles and across them, where the integral has a value, finite or infinite.
     (r"\int_1^\infty\frac{dx}x=%s", r"\infty", "5", ()),
     (r"\int_{-1}^1\frac{dx}{x^2}=%s", r"\infty", "-2", ()),
     (r"\int_0^{\frac\pi2}\tan x\,dx=%s", r"\infty", "0", ()),
@@ -129,18 +129,18 @@ PAIRS = [
     (r"\int_{-1}^1\frac{dx}{\sqrt{|x|}}=%s", "4", "2", ()),
     (r"\int_0^2\frac{dx}{(x^2-2)^2}=%s", r"\infty", "1", ()),
     (r"\int_0^3\frac{dx}{\sqrt[3]{(x-1)^2}}=%s", r"3(1+\sqrt[3]2)", r"3(1-\sqrt[3]2)", ()),
-    # Integrals of integrals that have no value at a corner, and differ by their order.
+    # Double integrals whose integrand has no value at a corner, so that the order can matter.
     (r"\int_0^1\int_0^1\frac{x-y}{(x+y)^3}dy\,dx=%s", r"\frac12", r"-\frac12", ()),
     (r"\int_0^1\int_0^1\frac{x-y}{(x+y)^3}dx\,dy=%s", r"-\frac12", r"\frac12", ()),
     (r"\int_0^1\int_0^1\frac{dx\,dy}{(x+y)^2}=%s", r"\infty", "1", ()),
     (r"\int_0^1\frac{x-a}{(x+a)^3}dx=%s", r"-\frac1{(a+1)^2}", r"\frac1{(a+1)^2}", ("a>0",)),
-    # Limits by sines and cosines, and where the sides differ.
+    # Limits by sines and cosines, and where the two sides differ.
     (r"\lim_{x\to\frac\pi2}\left(\frac\pi2-x\right)\tan x=%s", "1", "-1", ()),
     (r"\lim_{x\to0}x\cot x=%s", "1", "0", ()),
     (r"\lim_{x\to0}\frac{\sec x-1}{x^2}=%s", r"\frac12", "1", ()),
     (r"\lim_{x\to0^+}\frac{|x|}x=%s", "1", "-1", ()),
     (r"\lim_{x\to0}\frac{|x|}x=%s", "1", "-1", ("x>0",)),
-    # Sums that come to integrals.
+    # Sums whose limits are integrals.
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+k}=%s", r"\ln2", r"\ln3", ()),
     (r"\lim_{n\to\infty}\left(2+\sum_{k=1}^n\frac1{n+k}\right)=%s", r"2+\ln2", r"2\ln2", ()),
     (r"\lim_{n\to\infty}\left(3+\frac{2^n}{n!}\right)=%s", "3", "4", ()),
@@ -148,7 +148,7 @@ PAIRS = [
     (r"\lim_{n\to\infty}\sum_{k=1}^n\left(2+\frac1{2^k}\right)=%s", r"\infty", "2", ()),
     (r"\lim_{n\to\infty}\frac1n\sum_{k=0}^{n-1}\sqrt{\frac kn}=%s", r"\frac23", r"\frac32", ()),
     (r"\lim_{n\to\infty}\sum_{k=1}^n\frac1{n+ak}=%s", r"\frac{\ln(1+a)}a", r"\ln(1+a)", ("a>0",)),
-    # Series of powers and waves, within the circle.
+    # Series of powers times sines or cosines, inside the unit circle.
     (
         r"1+2\sum_{k=1}^\infty r^k\cos k\theta=%s",
         r"\frac{1-r^2}{1-2r\cos\theta+r^2}",
@@ -234,7 +234,7 @@ PAIRS = [
     # Where a base is zero, and where it is positive.
     (r"\sqrt[m]{\sqrt[n]a}=%s", r"\sqrt[mn]a", r"\sqrt[m+n]a", (r"a\ge0", r"m,n\in\mathbb N")),
     (r"(\cosh x+\sinh x)^n=%s", r"\cosh nx+\sinh nx", r"\cosh nx-\sinh nx", (r"n\in\mathbb N",)),
-    # Where what is differentiated has signs and does not jump, or jumps where nothing is said of.
+    # Antiderivatives with signs that do not jump, or jump only outside the stated domain.
     (r"\int|x|dx=%s+C", r"\frac{x^2\operatorname{sgn}x}2", r"x^2\operatorname{sgn}x", ()),
     (r"\int2x\,dx=%s+\operatorname{sgn}x+C", "x^2", "x^3", ("x>0",)),
     (r"\int\frac{dx}{1+x^2}=\frac\pi2\operatorname{sgn}x%s\arctan\frac1x+C", "-", "+", ()),
@@ -246,7 +246,7 @@ WITHOUT_LIMIT = [
     r"\lim_{x\to0}e^{\frac1x}=0",
     r"\lim_{x\to0}\arctan\frac1x=\frac\pi2",
 ]
-# What converges under a condition that is not said, the condition, and a value that is wrong there.
+# A print that converges only under an unstated condition, its value, the condition, a wrong value.
 NOT_SAID = [
     (r"\int_0^\infty e^{-ax}dx=%s", r"\frac1a", "a > 0", r"\frac2a"),
     (r"\int_0^\infty e^{ax}dx=%s", r"-\frac1a", "a < 0", r"\frac1a"),
@@ -263,7 +263,7 @@ NOT_SAID = [
     (r"\sum_{k=1}^\infty\frac{q^k}k=%s", r"-\ln(1-q)", "q < 1 and q > -1", r"\ln(1-q)"),
     (r"\lim_{x\to\infty}e^{-ax}=%s", "0", "a > 0", "1"),
 ]
-# What does not converge, with what a number is printed for.
+# Prints that give a number for something that does not converge, and the conditions stated.
 DIVERGENT = [
     (r"\int_{-a}^a\frac{dx}x=0", ("a>0",)),
     (r"\int_0^{2a}\frac{dx}{x-a}=0", ("a<0",)),
@@ -289,11 +289,11 @@ DIVERGENT = [
     (r"\lim_{x\to-\infty}x\sin2x=0", ()),
     (r"\lim_{x\to\infty}\left(\cos x+\frac1x\right)=0", ()),
 ]
-# Of what is not shown to be infinite, or to have no value, nothing is said.
+# Prints left undecided, since nothing shows that a side is infinite or has no value.
 OPEN = [
     (r"\int_0^\infty\frac{\arctan ax-\arctan bx}xdx=\frac\pi2\ln\frac ab", ("a>0",)),
     # Known integrals with letters for which they have no value, or another one; the first takes as
-    # long as all of them.
+    # long as all the others.
     pytest.param(
         *(r"\int_0^\infty\frac{e^{-ax}-e^{-bx}}x\,dx=\ln\frac ba", ("a>0", r"b\ge0")),
         marks=pytest.mark.thorough,
@@ -325,7 +325,7 @@ OPEN = [
     (r"\int\operatorname{sgn}x\,dx=|x|+\operatorname{sgn}x+C", ()),
     (r"\int|\cos x|dx=\sin x\operatorname{sgn}(\cos x)+C", ()),
     (r"\sum_{k=0}^\infty r^k\cos k\theta=\frac{1-r\cos\theta}{1-2r\cos\theta+r^2}", ()),
-    # Fourier series beyond the period, or at its ends; others that are like them.
+    # Fourier series beyond the period or at its ends, and series that resemble them.
     (r"\sum_{n=1}^\infty\frac{\sin nx}n=\frac{\pi-x}2", ()),
     (r"\sum_{n=1}^\infty\frac{\sin nx}n=\frac{\pi-x}2", (r"0\le x<2\pi",)),
     (r"\sum_{n=1}^\infty\frac{(-1)^{n+1}\sin nx}n=\frac x2", (r"-\pi\le x\le\pi",)),
@@ -336,7 +336,7 @@ OPEN = [
     (r"\sum_{n=1}^\infty2^n\frac{\sin nx}n=\frac{\pi-x}2", (r"0<x<2\pi",)),
     (r"\sum_{n=1}^\infty\frac{(a-b)\sin nx}{(a-b)n}=\frac{\pi-x}2", (r"0\le x<2\pi",)),
     (r"\sum_{k=0}^\infty(-1)^k\frac{\sin((2k+1)x)}{(2k+1)^2}=\frac{\pi x}4", (r"0\le x\le\pi",)),
-    # A sum of which it is not shown that all terms have values and are large enough.
+    # Sums whose terms are not all shown to have values and to be large enough.
     (r"\sum_{k=0}^\infty\frac1k=\infty", ()),
     (r"\sum_{k=1}^\infty\frac1{k-5}=\infty", ()),
     (r"\sum_{k=1}^\infty\frac1{\sqrt{k-3}}=\infty", ()),
@@ -348,7 +348,7 @@ OPEN = [
     (r"\sum_{k=0}^\infty q^k=\infty", (r"q\ge1",)),
     (r"\sum_{k=1}^\infty(-1)^kk=\infty", ()),
     (r"\sum_{k=1}^\infty(k-3)!=\infty", ()),
-    # Within a formula infinity is no number, also where SymPy says that the sum has a value.
+    # Inside a formula infinity is not a number, even if SymPy claims that the sum has a value.
     (r"\sum_{k=1}^\infty\frac1k=\sum_{k=1}^\infty\frac1{k+1}-1", ()),
     (r"\sum_{k=1}^\infty\frac1k-\sum_{k=1}^\infty\frac1k=0", ()),
     (r"\frac1{\sum_{k=1}^\infty\frac1k}=0", ()),

@@ -1,4 +1,4 @@
-"""Pasted inequalities: of vectors, for whole numbers, and where linear relations are said."""
+"""Pasted inequalities: of vectors, for whole numbers, and under stated linear relations."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ TRIANGLE = ("a<b+c", "b<c+a", "c<a+b")
 COUNT = (r"n\in\mathbb N",)
 SIZES = ("p>0", "q>0", "r>0", "s>0")
 PROVED = [
-    # Products, each factor in its own way, or what is said of a product of some of them.
+    # Products, factor by factor, or by a condition on the product of some factors.
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)>0", (*SIZES, r"0<x<\pi/2", "0<k<1")),
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"(1-k^2)\sin x\ge0")),
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"\frac{(k^2-1)qr\sin x}{p+s}\le0")),
-    # Numbers that are said not to be equal.
+    # Numbers stated to be unequal.
     ("x^2+y^2>2xy", (r"x\ne y",)),
     ("(x-y)^2(y-z)^2>0", (r"x\ne y", r"y\ne z")),
     # Cauchy and Schwarz, and the sides of a triangle.
@@ -36,7 +36,7 @@ PROVED = [
     # Two powers to n, each with what it is multiplied by.
     (r"n!\le\left(\frac{n+1}2\right)^n", ()),
     (r"n!<\left(\frac{n+1}2\right)^n", (r"n\ge2",)),
-    # Moduli, by their signs and by a mean value.
+    # Moduli, by their signs and by the mean value theorem.
     (r"|x+y+z|\le|x|+|y|+|z|", ()),
     (r"|a_1+a_2+a_3|\le|a_1|+|a_2|+|a_3|", ()),
     (r"|x-w|\le|x-y|+|y-z|+|z-w|", ()),
@@ -48,18 +48,18 @@ PROVED = [
     # Angles, by their tangents.
     (r"\arctan\frac{e\sin x}{1-e\cos x}\le\arcsin e", (r"0\le e<1",)),
     (r"\arctan x<\arcsin x", ("0<x<1",)),
-    # By the gaps of what is said.
+    # By the slack in the stated relations.
     ("a^2+b^2+c^2<2(ab+bc+ca)", TRIANGLE),
     (r"(a+b-c)(b+c-a)(c+a-b)\le abc", TRIANGLE),
     (r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}<2", TRIANGLE),
     (r"\frac{x-a}x<\ln\frac xa", ("x>a>0",)),
     (r"\sqrt{l^2-r^2}>l-r", ("l>r>0",)),
     (r"\sqrt x-\sqrt a<\frac{x-a}{2\sqrt a}", ("x>a>0",)),
-    # Of integrals and endless sums, by their values.
+    # Integrals and infinite sums, by their values.
     (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx>1", ()),
     (r"\int_0^1\frac{dx}{\sqrt x}\le2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<2", ()),
-    # Of whole numbers.
+    # Floors and ceilings.
     (r"\lceil x\rceil-\lfloor x\rfloor\le1", ()),
     (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor+1", ()),
     # By the values of integrals with letters.
@@ -72,7 +72,7 @@ NOT_PROVED = [
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k)\ge0", (*SIZES, r"(1-k^2)\sin x\ge0")),
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)>0", (*SIZES, r"(1-k^2)\sin x\ge0")),
     (r"\frac{pqrs\sin x}{r+s}\cdot(1-k^2)\ge0", (*SIZES, r"\frac{(k^2-1)qr\sin x}{p-s}\le0")),
-    # Others are said not to be equal, or that is not enough.
+    # Other numbers are stated to be unequal, or that is not enough.
     ("x^2+y^2>2xy", (r"x\ne-y",)),
     ("x^2+y^2>2xy", (r"x\ne0",)),
     ("x^2+y^2>2xy+10^{-9}", (r"x\ne y",)),
@@ -100,7 +100,7 @@ NOT_PROVED = [
     (r"\arctan\frac{e\sin x}{1-e\cos x}\le\frac9{10}\arcsin e", (r"0\le e<1",)),
     (r"\arctan\frac{e\sin x}{1-e\cos x}<\arcsin e", (r"0\le e<1",)),
     (r"\arctan x<\arcsin x", (r"0\le x<1",)),
-    # One relation less, or a bound that is too low.
+    # One relation too few, or a bound that is too low.
     ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", *TRIANGLE[:2])),
     ("a^2+b^2+c^2<2(ab+bc+ca)", ("a>0", "b>0", "c>0")),
     (r"\frac a{b+c}+\frac b{c+a}+\frac c{a+b}<\frac53", TRIANGLE),
@@ -109,7 +109,7 @@ NOT_PROVED = [
     (r"\frac{x-a}x<\ln\frac xa", (r"x\ge a>0",)),
     (r"\sqrt{l^2-r^2}>l-r", (r"l\ge r>0",)),
     ("x^2<y^2", ("x<y",)),
-    # A peak that is narrow; a value that is met; none.
+    # A narrow peak; a bound that is attained; no value at all.
     (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx<1", ()),
     (r"\int_0^1\frac{dx}{\sqrt x}<2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<\frac{164}{100}", ()),

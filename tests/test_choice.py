@@ -22,7 +22,7 @@ from mechproof.measured import (
 )
 from mechproof.tools.extras import tell_install
 
-# Fast and without error, and not to be chosen.
+# Ways that are fast and without error, but must not be chosen.
 REFUSED = ("wrong", "lossy", "in order", "in part", "enclosed")
 
 
@@ -95,7 +95,7 @@ def folder(tmp_path: Path) -> Path:
 class TestDecision:
     def test_cheapest_that_meets_the_request(self, folder: Path) -> None:
         chosen = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
-        # The proved bound is larger than what was measured, so it counts.
+        # The proved bound is larger than the measured error, so it counts.
         assert (chosen.way, chosen.error, chosen.bound) == ("coarse", 2e-3, 2e-3)
         assert chosen.better is not None
         assert (chosen.better.way, chosen.better.time) == ("fine", 10.0)
@@ -192,7 +192,7 @@ class TestDecision:
         monkeypatch.setattr("mechproof.choice.EXTRAS", {"fast": "json", "derive": "json"})
         sizes = {"e": 0.2, "z": 4.0}
         chosen = choose("angle", error=1e-5, measured=folder, **sizes)
-        # That of the largest error that is no larger.
+        # The one tailored to the largest error that does not exceed the one asked for.
         assert (chosen.way, chosen.time, chosen.error) == ("tailored", 1.5, 1e-5)
         assert chosen.function == "mechproof.tailor('gear.angle', error=1e-05, e=0.2, z=4.0)"
         ranged = choose("angle", error=1e-5, measured=folder, e=(0.1, 0.2), z=4.0)
@@ -250,7 +250,7 @@ class TestDecision:
 
 
 def test_first_order_for_a_milliradian_and_a_micrometre(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The model is the cheapest that needs no extra; compiled, the exact kernel is as fast."""
+    """The model is the cheapest way without extras; the compiled exact kernel is as fast."""
     asked = {"points": (0, 50), "angles": (0, 1e-3), "shift": (0, 1)}
     exact = choose("displacement", error=1e-3, **asked)
     monkeypatch.setattr("mechproof.choice.find_spec", lambda name: None)
@@ -264,19 +264,19 @@ def test_first_order_for_a_milliradian_and_a_micrometre(monkeypatch: pytest.Monk
 def test_every_digit_needs_the_exact_form() -> None:
     chosen = choose("displacement", error=1e-13, points=(0, 50), angles=(0, 1e-3))
     assert chosen.way != "first order in the angles"
-    # A share of 1e-12 to twelve digits: no simulation.
+    # At this error a share is not simulated.
     assert "simulation" not in choose("wrongly_accepted", error=1e-6).way
 
 
 @pytest.mark.parametrize("share", ["wrongly_accepted", "wrongly_rejected"])
 def test_shares_are_computed_and_not_simulated(share: str) -> None:
-    """A simulation that reaches a thousandth costs more than every digit."""
+    """A simulation accurate to a thousandth costs more than computing every digit."""
     chosen = choose(share, error=1e-3)
     assert "simulation" not in chosen.way
     assert chosen.error < 1e-12
     (simulated,) = (o for o in chosen.others if o.way == "simulation, 1e+06 parts")
     assert simulated.error <= 1e-3
-    # Each part takes two normal numbers; the sum of a million goes into one share.
+    # Each part takes two normal numbers, and a million parts make one share.
     assert simulated.time > 1000 * chosen.time
     assert f"not {simulated._describe()}" in chosen.explain()
     assert "times the time" in chosen.explain()

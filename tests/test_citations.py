@@ -1,7 +1,7 @@
-"""What others may cite of a ledger: the ids of printed rows, and the sentences that they judge.
+"""The citable parts of a ledger: the ids of printed rows, and the sentences that they judge.
 
-`tests/kept_ids.txt` has the ids of the printed rows of the papers that are read through. An id
-leaves it only with the row itself: a row that is renamed breaks the citations of others.
+`tests/kept_ids.txt` lists the ids of the printed rows of the papers that are read through. An id
+leaves it only with the row itself: renaming a row would break other people's citations.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from derived import judge_all, paper_of
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
 
-# The papers of which every sentence of the transcription is judged or laid aside.
+# The papers in whose transcription every sentence is judged or laid aside.
 READ_THROUGH = (
     "elliptic_planetary",
     "oval_planetary",
@@ -24,7 +24,7 @@ READ_THROUGH = (
     "track_wheel",
     "wedge_linkage",
 )
-# Claims whose number names what they judge: blocks of a flow chart, which has no sentences.
+# Claims numbered by the block of a flow chart that they judge: it has no sentences to cite.
 BLOCKS = ("controlled parameters", "step 10")
 KEPT = Path(__file__).with_name("kept_ids.txt")
 
@@ -42,12 +42,12 @@ def list_left_out(paper: Paper) -> list[str]:
 
 
 def list_printed(system: str) -> list[Judgement]:
-    """List the rows of a paper that are not ours."""
+    """List the judgements of the rows that a paper prints, which excludes our own."""
     return [j for j in judge_all(system).values() if "ours" not in j.marks]
 
 
 def list_kept(system: str) -> list[str]:
-    """List the kept ids of a paper."""
+    """List the ids of a paper that `KEPT` holds."""
     lines = KEPT.read_text(encoding="utf-8").splitlines()
     return [line for line in lines if line.startswith(f"{system}/")]
 

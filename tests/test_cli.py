@@ -1,4 +1,4 @@
-"""The command line: bad usage, help, errors that teach, what an install lacks."""
+"""The command line: bad usage, help, instructive errors, missing packages."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_the_module_runs_and_tells_its_version() -> None:
 
 
 def test_a_plain_install_is_told_what_it_lacks(tmp_path: Path) -> None:
-    """Missing packages are stood in for by a finder that does not find them."""
+    """A finder that refuses to find packages stands in for their absence."""
     code = (
         "import sys, runpy, importlib.machinery as m; find = m.PathFinder.find_spec\n"
         "gone = ('sympy', 'typer', 'rich')\n"

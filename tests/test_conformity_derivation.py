@@ -11,7 +11,7 @@ from mechproof.derivations.conformity import PAPER, peers, points
 NAMES = tuple(quantity.name for quantity in PAPER.quantities)
 QUANTITIES = {quantity.name: quantity for quantity in PAPER.quantities}
 
-# 40 standard deviations from the law to the window, or from the window to what lies outside.
+# The law lies about 40 standard deviations outside the window, or as far inside it.
 OUTSIDE, INSIDE = (80.0, 1.0, 0.0, 0.1, -40.0, 40.0), (1.5, 0.01, 0.0, 0.01, 1.0, 2.0)
 FAR = {**dict.fromkeys(NAMES, OUTSIDE), "rightly_rejected": INSIDE}
 
@@ -52,5 +52,5 @@ def test_ways_agree_where_no_share_is_small(name: str) -> None:
     # Six standard errors of 10 000 parts.
     assert np.ptp(found) <= 6 * np.sqrt(found[0] * (1 - found[0]) / 10_000)
     exact = [f for f, p in zip(found, peers.PEERS[name], strict=True) if "simul" not in p.name]
-    # The distribution function of SciPy keeps an absolute 1e-5, the others eps times 16.
+    # SciPy's distribution function is accurate to an absolute 1e-5, the others to 16 eps.
     assert np.ptp(exact) <= 1e-5

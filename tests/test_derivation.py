@@ -26,7 +26,7 @@ X = sp.Symbol("x", real=True)
 
 
 def write(folder: Path, **files: str) -> Path:
-    """Write modules; a double underscore in a name stands for a folder."""
+    """Write modules; a double underscore in a name separates a folder from what it contains."""
     for name, text in files.items():
         file = folder.joinpath(*name.split("__")).with_suffix(".py")
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -35,7 +35,7 @@ def write(folder: Path, **files: str) -> Path:
 
 
 def write_folder(folder: Path) -> Path:
-    """Write a large system in a folder and a small one in a file, both with what they share."""
+    """Write a large system as a folder, a small one as a file, and the module that both share."""
     (folder / "large").mkdir(parents=True)
     (folder / "large" / "__init__.py").write_text("from .paper import PAPER\n")
     paper = f'{PAPER}from .._shared import CITATION\nPAPER = Paper("large", CITATION, (), ())\n'
@@ -74,7 +74,7 @@ def test_two_folders_do_not_meet(tmp_path: Path) -> None:
 
 def test_an_edited_file_is_read_again(tmp_path: Path) -> None:
     write_folder(tmp_path)
-    for citation in ("their notes", "our notes !", "his notes !"):  # of one length, in one second
+    for citation in ("their notes", "our notes !", "his notes !"):  # equally long, in one second
         (tmp_path / "_shared.py").write_text(f'CITATION = "{citation}"\n')
         assert load_paper(tmp_path / "large").citation == citation
         assert load_paper(tmp_path / "small.py").citation == citation

@@ -1,4 +1,4 @@
-"""Derivatives of expressions are those of SymPy, to the form in which they are written."""
+"""Derivatives of expressions equal SymPy's, down to the form in which they are written."""
 
 from __future__ import annotations
 

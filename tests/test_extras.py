@@ -1,4 +1,4 @@
-"""What a user is told to install, and what still works without it."""
+"""Extras: what a user is told to install, and what still works without them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from mechproof.tools import extras
 
 
 class Installed(metadata.Distribution):
-    """A distribution with the files that are given."""
+    """A distribution whose only file is direct_url.json, holding `url`, or that has none."""
 
     def __init__(self, url: str | None) -> None:
         self.url = url
@@ -57,7 +57,7 @@ def test_what_is_not_there_is_named_with_the_command() -> None:
         extras.require_modules("a drawing", "x", ("json", "no_such_module"))
 
 
-# What a plain install has none of is stood in for by a finder that does not find it.
+# Stands in for a plain install: the finder does not find packages that only extras bring.
 PLAIN = """
 import importlib.machinery as m
 find, gone = m.PathFinder.find_spec, ("flint", "jinja2", "sympy", "uncertainties")

@@ -1,7 +1,7 @@
-"""Every public function and constructor of the runtime, called with what it cannot take.
+"""Every public function and constructor of the runtime, called with values it must refuse.
 
-Each parameter is given every value that its kind does not allow, while the others are right: the
-error names the parameter.
+Each parameter in turn is given every value that its kind does not allow, while the others are
+right; the error must name that parameter.
 """
 
 from __future__ import annotations
@@ -86,7 +86,8 @@ POSE = {"tilt": 0.1, "offset": 0.1, "degrees": False}
 LAWS_OF_INSPECTION = dict.fromkeys(("true", "tip_diameter", "height", "thickness"), ONE)
 ENDS = {"lower": 0.0, "upper": 3.0}
 ANGLE, PUSHED, LIMITS = {"phi": 1.0, "degrees": False}, {"x1": -30.0}, {"acceptance": (-1, 1)}
-# What functions, constructors and methods are given, by what begins their names and has them.
+# Right arguments of functions, constructors and methods: the prefix of their names, the object
+# that holds them, and the arguments by name.
 GIVEN: list[tuple[str, Any, dict[str, dict[str, Any]]]] = [
     (
         "",
@@ -300,7 +301,7 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
 }
 
 CASES = [(name, parameter) for name, (_, given) in CALLS.items() for parameter in given]
-# What is returned and raised, and what papers state of their figures: nobody gives it numbers.
+# Classes of results and errors, and of the figures stated by papers: users pass them no numbers.
 RESULTS = {
     *("Law", "Shares", "SimulatedShares", "Figure", "PusherReachError", "RollerLeverReachError"),
     *("CertifiedRange", "Contributions", "CornerRange", "MonteCarloRange", "Range", "Motion"),
@@ -326,7 +327,7 @@ def test_what_a_parameter_does_not_take_is_named(name: str, parameter: str) -> N
 
 
 def list_public() -> Iterator[str]:
-    """List the functions, constructors and methods of the runtime that take anything."""
+    """Yield the public classes and functions of the runtime, and methods that take arguments."""
     packages = mechproof, conformity, laws, measurement, mechanisms, plot, tolerance
     for package in packages:
         for name in set(package.__all__) - RESULTS - {"__version__"}:

@@ -1,4 +1,4 @@
-"""What an import costs, and which libraries and packages each package may use."""
+"""What an import loads, and which libraries and packages each package may use."""
 
 from __future__ import annotations
 
@@ -34,7 +34,8 @@ PROBES = {
     "measurement": "import mechproof.measurement",
 }
 
-# What the files of a runtime package may import when they are loaded, and inside functions.
+# The imports allowed to the files of a package: anywhere (`LOADED`), and additionally inside
+# functions (`INSIDE`).
 LOADED = {
     "kernel_support": {"numpy", "mechproof.arguments", "mechproof.kernel_support"},
     "compiled_support": {
@@ -139,7 +140,7 @@ LOADED = {
     },
 }
 INSIDE = {
-    # A linear program finds squares whose sum is then worked out exactly.
+    # A linear program finds squares, whose sum is then checked exactly.
     "proof": {"scipy"},
     "laws": {"scipy"},
     "conformity": {"scipy"},
@@ -195,9 +196,9 @@ def test_the_probe_sees_a_heavy_import() -> None:
 
 
 def imported(nodes: Iterable[ast.AST]) -> set[str]:
-    """Packages the nodes import, of our own the first two names; the standard library is left out.
+    """Return the packages that the nodes import, without those of the standard library.
 
-    Tools are named one by one. What is imported for type checkers alone is never loaded.
+    Our own packages are given by their first two names, tools by three.
     """
     names: set[str] = set()
     for node in nodes:
@@ -214,7 +215,7 @@ def imported(nodes: Iterable[ast.AST]) -> set[str]:
 
 
 def breaches(source: str, package: str) -> set[str]:
-    """Imports of a file that its package's sentence does not allow."""
+    """Return the imports of a file that `LOADED` and `INSIDE` do not allow to its package."""
     loaded, inside, _ = (imported(nodes) for nodes in split(ast.parse(source)))
     allowed = LOADED[package]
     return (loaded - allowed) | (inside - allowed - INSIDE.get(package, set()))
@@ -263,24 +264,24 @@ def test_derivations_import_sympy_the_records_and_the_readers_alone() -> None:
         if path.stem.strip("_") in ("peers", "points", "pictures"):
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
-        found = imported(ast.walk(tree)) - {""}  # relative ones have no first name
+        found = imported(ast.walk(tree)) - {""}  # relative imports have no first name
         readers = {"mechproof.document", "mechproof.latex"}
         assert found <= {"sympy", "mechproof.record", *readers}, path
 
 
-# Of a file beside it, and of one in a room.
+# As imported from a file next to the mechanics, and from one in a room.
 MECHANICS = (".mechanics", "..mechanics")
 
 
 def list_stars(source: str) -> list[str]:
-    """List the modules all of which a derivation imports, but for its mechanics and its words."""
+    """List the modules star-imported by a derivation, except its mechanics and the records."""
     found = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.ImportFrom))
     names = (f"{'.' * n.level}{n.module}" for n in found if n.names[0].name == "*")
     return [name for name in names if name not in (*MECHANICS, "mechproof.record")]
 
 
 def list_words_taken(source: str) -> set[str]:
-    """List the words of the records that a derivation gives a meaning of its own."""
+    """Return the public names of the records that a derivation rebinds."""
     nodes = list(ast.walk(ast.parse(source)))
     names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
     defined = {n.name for n in nodes if isinstance(n, ast.FunctionDef | ast.ClassDef)}
@@ -303,7 +304,7 @@ def test_kernels_import_numpy_and_their_support_alone() -> None:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         allowed = {"numpy", "mechproof.kernel_support"}
         if path.parent.name == "compiled":
-            # The elementary functions lie beside them.
+            # The elementary functions are in a neighbouring package.
             allowed |= {"mechproof.compiled_support", "mechproof.kernels"}
         assert imported(ast.walk(tree)) <= allowed, path.name
 

@@ -1,4 +1,4 @@
-"""Who may import whom, as one sentence: each layer what is below it, and no way leads back.
+"""Who may import whom, in one sentence: each layer the ones below it, without import cycles.
 
 tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < sources, domains <
 nomenclature, programs < proof, roundoff, emission < ledger < documents, Coq, FPCore, comparison <
@@ -15,8 +15,8 @@ from import_graph import Kinds, circles, read_arrows, read_graph
 
 Room = tuple[str, ...]
 
-# From the lowest layer up: its rooms, each with the modules and packages it holds. A module is in
-# the room of its longest name. The rooms of one layer do not know each other.
+# From the lowest layer upwards: its rooms, each with its modules and packages. The longest matching
+# name decides the room of a module. The rooms of one layer do not import each other.
 LAYERS: tuple[Mapping[str, Room], ...] = (
     {
         "tools": ("tools",),
@@ -58,19 +58,19 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"command line": ("__main__", "cli")},
     {"the whole": ("__init__",)},
 )
-# Rooms of those who compute and do not prove: loaded, they need nobody but each other.
+# The rooms that compute but do not prove: on loading, they import only each other.
 RUNTIME = {
     *("tools", "arguments", "support", "executors", "laws", "measured", "kernels", "choice"),
     *("derivatives", "measurement", "conformity", "tolerance", "mechanisms", "the whole"),
 }
-# The rooms of a paper; what has no name here (a paper, its peers and points) may know all of them.
+# The rooms of a paper, lowest first; its other modules (paper, peers, points) may import them all.
 ROOMS = ("mechanics", "rows", "kernels", "pictures")
 HEIGHTS = {room: height for height, layer in enumerate(LAYERS) for room in layer}
 HOMES = {name: room for layer in LAYERS for room in layer for name in layer[room]}
 
 
 def find_room(module: str) -> str:
-    """Return the room of a module; what the table does not hold has none."""
+    """Return the room of a module, or "" if `LAYERS` has none for it."""
     name = module.removeprefix("mechproof.") if module != "mechproof" else "__init__"
     parts = name.split(".")
     names = (".".join(parts[:length]) for length in range(len(parts), 0, -1))
@@ -78,7 +78,7 @@ def find_room(module: str) -> str:
 
 
 def find_breaches(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
-    """Arrows that go up or aside, those of type checkers and those inside functions too."""
+    """Return the imports that go up or sideways, including those in functions or for types only."""
     return {
         (module, other)
         for module, kinds in graph.items()
@@ -89,7 +89,7 @@ def find_breaches(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
 
 
 def find_loaded_proofs(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
-    """Arrows from the runtime to what proves, followed as soon as a file is loaded."""
+    """Return the imports of proving rooms that happen as soon as a runtime module is loaded."""
     return {
         (module, other)
         for module, kinds in graph.items()
@@ -99,13 +99,13 @@ def find_loaded_proofs(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
 
 
 def find_height(module: str) -> int:
-    """Return which of the rooms of a paper a module is in."""
+    """Return the index in `ROOMS` of a module of a paper, or -1 if it is in no room."""
     room = [*module.split("."), "", ""][3]
     return ROOMS.index(room) if room in ROOMS else -1
 
 
 def find_later_rooms(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
-    """Arrows from a room of a paper to a later one."""
+    """Return the imports from a room of a paper to a later one."""
     return {
         (module, other)
         for module, kinds in graph.items()
@@ -128,7 +128,7 @@ def test_no_import_goes_up_or_aside() -> None:
 
 
 def test_no_import_leads_back() -> None:
-    """Neither among modules, nor, what is for type checkers alone left out, among packages."""
+    """There is no cycle among modules or packages, apart from imports for type checkers only."""
     graph = read_graph()
     assert circles({module: kinds.run for module, kinds in graph.items()}) == set()
     packages: dict[str, set[str]] = {}
@@ -147,7 +147,7 @@ def test_the_runtime_reaches_for_proofs_inside_functions_alone() -> None:
 
 
 def made_up(module: str, source: str) -> Mapping[str, Kinds]:
-    """The graph with a line more in one module."""
+    """Return the graph with `source` added to one module."""
     graph = dict(read_graph())
     found = read_arrows(module, source, False, graph)
     kinds = zip(graph[module], found, strict=True)

@@ -1,4 +1,4 @@
-"""Ledgers that are kept whole: what makes one anew, and what is never kept."""
+"""Ledgers cached as a whole: what causes one to be made again, and what is never cached."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ TRUE, FALSE = "x**2 + 2*x*y + y**2", "x**2 + 3*x*y + y**2"
 
 
 class Folder:
-    """A folder with one derivation, and whether it was loaded by the last judging."""
+    """A folder with one derivation; `was_loaded` says whether the last judging loaded it."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -47,7 +47,7 @@ class Folder:
     def write(self, text: str, name: str = "mine.py") -> None:
         file = self.path / name
         file.write_text(text, encoding="utf-8")
-        # What is as young as the load itself is not kept.
+        # A file as recent as the load itself is not cached.
         before = time.time() - 10
         os.utime(file, (before, before))
 
@@ -101,7 +101,7 @@ def test_whatever_a_derivation_opens_counts(folder: Folder, file: str, text: str
 
 
 def test_a_module_that_another_derivation_loaded_counts(folder: Folder) -> None:
-    """It is not opened again, and what it says was what it said when it was loaded."""
+    """It is not opened again: its content counts as it was when the module was loaded."""
     folder.write("FACTOR = 2", "helper_of_two_papers.py")
     use = "import helper_of_two_papers as h\n"
     text = f"{HEAD}{use}\nPAPER = paper(x**2 + h.FACTOR*x*y + y**2, 'NAME')\n"
@@ -119,7 +119,7 @@ def test_a_module_that_another_derivation_loaded_counts(folder: Folder) -> None:
 def test_a_module_under_the_name_of_a_library_counts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A library of that name was loaded before, from a folder of installed packages."""
+    """A library of that name had been loaded from a folder of installed packages."""
     for folder in ("site-packages", "own"):
         (tmp_path / folder).mkdir()
         (tmp_path / folder / "shadowed.py").touch()

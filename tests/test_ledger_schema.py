@@ -1,4 +1,4 @@
-"""The JSON of the ledger is what its schema says, and rows are called what they were called."""
+"""The JSON of the ledger conforms to its schema, and the ids of its rows are unique."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def schema() -> Draft202012Validator:
 
 @pytest.fixture(scope="module")
 def own(tmp_path_factory: pytest.TempPathFactory) -> Ledger:
-    """The ledgers of a derivation and of a source."""
+    """Return the JSON ledger of a derivation and a source, judged together."""
     folder = tmp_path_factory.mktemp("ledgers")
     (folder / "source.tex").write_text(SOURCE)
     papers = [write(folder, PROVED, OPEN, WRONG, SENTENCE), folder / "source.tex"]

@@ -1,4 +1,4 @@
-"""Comparing and writing folders of made files: what was made goes, what was not stays."""
+"""Comparing and writing folders of made files: only files that were made are removed."""
 
 from __future__ import annotations
 
@@ -192,7 +192,7 @@ def test_interrupted_write_leaves_the_old_files_whole(
     assert compare(tmp_path) == []
 
 
-# One for the list, one for each file, one for the list again.
+# One replacement for the list, one for each file, one for the list again.
 @pytest.mark.parametrize("number", range(len(FILES) + 2))
 def test_interrupted_placing_leaves_each_file_old_or_new(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int
@@ -214,7 +214,7 @@ def test_interrupted_placing_leaves_each_file_old_or_new(
     present = contents(tmp_path)
     assert set(present) == set(FILES)
     assert all(text in (FILES[name], changed[name]) for name, text in present.items())
-    # What is left does not stand in the way of a third version, and is not left over.
+    # The remains do not block a third version, and they are cleaned up.
     update(tmp_path, {name: text + "# newest\n" for name, text in FILES.items()})
     update(tmp_path, {})
     assert contents(tmp_path) == {}

@@ -62,7 +62,7 @@ def written(folder: Path) -> dict[str, Any]:
 
 def test_everything_survives_the_file(tmp_path: Path) -> None:
     again = read_record(write_record(RECORD, tmp_path / "new"))
-    # Types and signs of zeros as well.
+    # repr also compares types and the signs of zeros.
     assert repr(again) == repr(RECORD)
 
 

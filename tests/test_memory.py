@@ -1,4 +1,4 @@
-"""Results of functions of records are found by the very same record, not by one that is equal."""
+"""Results remembered for a record are found by that very object, not by an equal one."""
 
 from mechproof.record.memory import remember_last
 

@@ -1,4 +1,4 @@
-"""Letters of a single equation that depend on others: u' beside u, dots beside a letter, f(x)."""
+"""Letters of a single equation that depend on others: u with u', dotted letters, f(x)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# The print, what is true, and what is not.
+# A print, an insertion that makes it true, and one that makes it false.
 PAIRS = [
     (r"(uv)'=%s", "u'v+uv'", "u'v'"),
     (r"(uv)''=%s", "u''v+2u'v'+uv''", "u''v+u'v'+uv''"),
@@ -40,18 +40,18 @@ PAIRS = [
         r"\ddot x_1\ddot x_2",
     ),
     (r"f(x)=x^2\Rightarrow f'(x)=%s", "2x", "3x"),
-    # By the letter by which something is differentiated beside them.
+    # With respect to the letter of the derivative that appears next to them.
     (r"\frac{d}{d\varphi}(r\cos\varphi)=%s", r"r'\cos\varphi-r\sin\varphi", r"r'\cos\varphi"),
     (r"\frac{d}{d\varphi}(rr'\varphi)=%s", r"rr'+(r'^2+rr'')\varphi", "rr'"),
     (r"\frac{d}{dz}(uv)=%s", "u'v+uv'", "u'v-uv'"),
     (r"\frac{d}{dt}(x^2u)=%s", "2xx'u+x^2u'", "2xx'u-x^2u'"),
-    # A power to a letter.
+    # A power whose exponent is a letter.
     ("(u^n)'=%s", "nu^{n-1}u'", "nu^{n+1}u'"),
     ("(u^n)''=%s", "n(n-1)u^{n-2}u'^2+nu^{n-1}u''", "n(n-1)u^{n-2}u'^2"),
 ]
 REFUSED = [
-    # Other functions of the letter, or of another one; constants as well as rates; no letter by
-    # which a prime may be.
+    # Other arguments of the function, or another letter; constants next to rates; no letter that a
+    # prime could refer to.
     "f(x)=f(-x)",
     "f(x)f(t)=1",
     "f(x)=1",
@@ -66,15 +66,15 @@ REFUSED = [
     r"(\ln u)'=\frac1u",
     r"(r\cos\varphi)'=r'\cos\varphi-r\sin\varphi",
     r"(\cos\alpha\cos\varphi)'=-\cos\alpha\sin\varphi",
-    # What depends on a letter that depends on another; integrals, limits and partial derivatives of
-    # what moves; dots beside primes.
+    # Functions of a letter that depends on another; integrals, limits and partial derivatives of
+    # moving letters; dots together with primes.
     r"\frac{d}{dt}(f(x)\dot x)=f'(x)\dot x^2+f(x)\ddot x",
     r"\frac{\partial}{\partial x}(uv)=u'v+uv'",
     r"\int_0^1xu'\,dx=\frac{u'}2",
     r"\int_0^T t\dot x\,dt=\frac{T^2}2\dot x",
     r"\lim_{x\to0}u'=u'",
     r"\frac{d}{dt}(\dot u^2+u'^2)=2u'\ddot u",
-    # What may move as well.
+    # Other letters that may move too.
     "(pu)'=pu'",
     "(py')'=py''",
     "(y_1y_2')'=y_1y_2''",
@@ -83,7 +83,7 @@ REFUSED = [
     r"\frac{d}{dt}(\alpha\dot\beta)=\alpha\ddot\beta",
     r"\frac{d}{dx}(pf(x))=pf'(x)",
     r"\frac{d}{dt}(\dot x_1\dot x_2)=\ddot x_1\dot x_2",
-    # By another letter than the derivatives beside it are, or by one of several.
+    # With respect to another letter than the derivatives next to it, or to one of several.
     r"\frac{d}{d\varphi}(r'\varphi)=r'",
     r"\frac{d}{d\xi}(u'\xi)=u'",
     r"\frac{d}{ds}(u'vs)=u'v",

@@ -1,4 +1,4 @@
-"""The command `new`: what it writes verifies, is regenerated, and overwrites nothing."""
+"""The command `new`: its files verify and regenerate, and it overwrites nothing."""
 
 from __future__ import annotations
 

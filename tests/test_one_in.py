@@ -1,4 +1,4 @@
-"""`--one-in N` keeps one in N of the thorough tests, by their names alone, and all others."""
+"""`--one-in N` keeps one in N thorough tests, chosen by their names alone, and all other tests."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 
 @dataclass(frozen=True)
 class Item:
-    """What is looked at of a test."""
+    """A stand-in for a test, with the attributes that the choice reads."""
 
     path: Path
     name: str
@@ -27,7 +27,7 @@ ITEMS = [Item(Path(f"test_{f}.py"), f"test_it[{number}]") for f in "abc" for num
 
 
 def choose(plugin: Any, count: int, items: list[Item]) -> tuple[set[str], set[str]]:
-    """Return the names of what is kept, and of what is said to be left out."""
+    """Return the names of the tests kept, and of those reported as deselected."""
     left_out: list[Item] = []
     hook = SimpleNamespace(pytest_deselected=lambda items: left_out.extend(items))
     kept = [*items]

@@ -1,4 +1,4 @@
-"""One operation, one row: what is put together of others is named by arithmetics, and no table."""
+"""One operation, one row: operations composed of others are keys of arithmetics, not of tables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import mechproof
 from mechproof.programs.operations import KINDS
 
 ROOT = Path(mechproof.__file__).parent
-# What means others and is no sign; its row says all, but for these modules.
+# Operations defined by others, except signs; outside these modules, their row says everything.
 SIGNS = {"add", "subtract", "multiply", "divide", "negate"}
 COMPOSED = {kind for kind, row in KINDS.items() if row.meaning} - SIGNS
 ARITHMETICS = {
@@ -33,7 +33,7 @@ ARITHMETICS = {
 
 
 def list_modules() -> Iterator[Path]:
-    """Yield the modules of who knows programs; others mean other things by the same words."""
+    """Yield the modules that import programs; elsewhere the same words mean other things."""
     for path in ROOT.rglob("*.py"):
         rooms = ("mechproof.programs", "mechproof.roundoff", "mechproof.arithmetic.intervals")
         if any(f"from {room}" in path.read_text("utf-8") for room in rooms):
@@ -41,7 +41,7 @@ def list_modules() -> Iterator[Path]:
 
 
 def list_named(source: str) -> Iterator[str]:
-    """Yield the composed kinds by which a table or an arithmetic of a module is keyed."""
+    """Yield the composed kinds that are keys of a table or of an arithmetic in a module."""
     for node in ast.walk(ast.parse(source)):
         keys: list[object] = []
         if isinstance(node, ast.Dict):

@@ -1,4 +1,4 @@
-"""A paper of a user's own with every kind of function: its kernels can be tailored."""
+"""A user's own paper with every kind of function: its kernels can be tailored."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("functions")]
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of the derivations, with what is generated from them beside it."""
+    """Return the folder of the derivations, with the generated files next to it."""
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OWN, folder / "derivations")
     run_in(folder, "regenerate")

@@ -1,4 +1,4 @@
-"""A paper of a user's own is one file: verdicts, kernels, measurements, charts and `choose`."""
+"""A user's own paper is one file: verdicts, kernels, measurements, charts and `choose`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ EPS = float(np.finfo(float).eps)
 
 
 def run_in(folder: Path, *arguments: str) -> None:
-    """Run the command line standing in a folder."""
+    """Run the command line with a folder as working directory; it must succeed."""
     with chdir(folder):
         done = run(*arguments)
     assert done.exit_code == 0, done.output
@@ -34,7 +34,7 @@ def run_in(folder: Path, *arguments: str) -> None:
 
 @pytest.fixture(scope="module")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the derivation, its kernels and a quick measurement."""
+    """Return a folder with the derivation, its kernels and a quick measurement."""
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OWN, folder / "derivations")
     for command in (["regenerate"], ["measure", "--quick", "ratio"]):

@@ -1,4 +1,4 @@
-"""What is installed: every package of the three folders, and the data that lie in them."""
+"""What is installed: every package of the three folders, and the data in them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The sources with a paper more, and what is built of them."""
+    """Return a copy of the sources with one more paper, and the distributions built from it."""
     folder = tmp_path_factory.mktemp("tree")
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, folder)
@@ -46,7 +46,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def list_installed(tree: Path) -> dict[str, str]:
-    """What is to be installed by its path there -> where it lies in the sources."""
+    """Map the installed path of every file to its path in the sources."""
     found = {}
     for folder, package in FOLDERS.items():
         kinds = ("*.py", "*.pyi", *DATA)

@@ -1,4 +1,4 @@
-"""Papers of a user's own: a four-bar linkage in two branches, and a cam whose laws are pieces."""
+"""A user's own papers: a four-bar linkage with two branches, and a cam with piecewise laws."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ EPS = 2.0**-52
 
 @pytest.fixture(scope="module")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the derivations and what is generated from them."""
+    """Return a folder with the derivations and the files generated from them."""
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OTHERS, folder / "derivations")
     run_in(folder, "regenerate")
@@ -82,7 +82,7 @@ def test_each_piece_of_a_law_is_taken(workshop: Path, compiled: bool) -> None:
     fastest = kernels.velocity(angles, h)
     peaks = [0, 45 * h / 16 / math.pi, 0, -3 * h / math.pi, 0]
     assert fastest == pytest.approx(peaks, rel=1e-14, abs=0)
-    # Where the last piece is a number, too.
+    # NaN outside the domain, even where the last piece would give a number.
     outside = np.array([-1.0, 7.0, np.nan])
     assert np.isnan(kernels.lift(outside, h)).all()
     assert np.isnan(kernels.lift(np.full(2, 6.0), -h)).all()
@@ -136,7 +136,7 @@ def test_branches_and_pieces_are_measured_charted_chosen_and_tailored(workshop: 
 def test_compiled_kernels_are_kept_whoever_compiles_them_first(
     workshop: Path, tmp_path: Path
 ) -> None:
-    """What numba keeps of one process is read by the next, under the name it is imported by."""
+    """Machine code that numba caches in one process is read by the next, by its import name."""
     for folder in ("derivations", "generated"):
         ignored = shutil.ignore_patterns("__pycache__", "measured")
         shutil.copytree(workshop / folder, tmp_path / folder, ignore=ignored)

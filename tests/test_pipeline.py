@@ -1,4 +1,4 @@
-"""The pipeline as a library calls it: its stages in their order, and faults that write nothing."""
+"""The pipeline called as a library: its stages in order, and faults, which write nothing."""
 
 from __future__ import annotations
 

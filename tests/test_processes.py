@@ -1,4 +1,4 @@
-"""Tasks in processes: results, and what hangs, dies or raises."""
+"""Tasks in processes: results, and tasks that hang, die or raise."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ run = partial(run_tasks, limit=60.0, processes=2)
 
 @pytest.fixture(autouse=True)
 def no_process_is_left() -> Iterator[None]:
-    """All that a test started have ended; other tests may have their own."""
+    """Check that every process that a test started has ended; other tests may have their own."""
     before = multiprocessing.active_children()
     yield
     assert {*multiprocessing.active_children()} <= {*before}
@@ -90,7 +90,7 @@ def meet(files: tuple[Path, Path]) -> None:
 
 
 def test_tasks_run_at_the_same_time(tmp_path: Path) -> None:
-    """One after the other, the first would wait for the second until the limit."""
+    """If run one after the other, the first would wait for the second until the limit."""
     one, other = tmp_path / "one", tmp_path / "other"
     assert len(list(run(meet, [(one, other), (other, one)]))) == 2
 
@@ -116,7 +116,7 @@ def test_processes_know_what_was_loaded_for_their_batch(monkeypatch: pytest.Monk
 
 
 def test_a_batch_is_done_while_the_next_is_made(tmp_path: Path) -> None:
-    """The second batch waits for what the first one does."""
+    """The maker of the second batch waits for the file that the first batch's task touches."""
     file = tmp_path / "done"
 
     def wait() -> list[Path]:
@@ -129,7 +129,7 @@ def test_a_batch_is_done_while_the_next_is_made(tmp_path: Path) -> None:
 
 
 def test_a_process_without_a_task_is_late_with_nothing() -> None:
-    """Another that was started has taken what was waiting."""
+    """Another process, started later, has taken the waiting task."""
     pool = processes._Pool(square, 0.2, STARTS[0])
     pool.add([3])
     try:

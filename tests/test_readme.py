@@ -1,4 +1,4 @@
-"""What the README, the pages beside it and docstrings show is what a user gets."""
+"""The README, the pages in docs and the docstrings show what a user really gets."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PAGES = {
 }
 README = PAGES["README.md"]
 BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
-# How lines begin that a user types.
+# Beginnings of the lines that a user types.
 TYPED = (">>", "..", "$ ")
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
 MODULES = [block for block in BLOCKS["docs/verify.md"] if ">>>" not in block]

@@ -1,4 +1,4 @@
-"""The command that writes kernels and ledgers of a user, and what stands in its way."""
+"""The command that writes a user's kernels and ledgers, and what stops it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Single equations with a remainder behind them: O(x^n) and o(x^n)."""
+"""Single equations that end in a remainder, O(x^n) or o(x^n)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# What is approximated, a remainder that is true, and one that is not.
+# An approximation, a remainder that is true, and one that is not.
 PAIRS = [
     (r"\sin x=x-\frac{x^3}6", "O(x^5)", "O(x^6)"),
     (r"\sin x=x-\frac{x^3}6", "o(x^4)", "o(x^5)"),
@@ -28,7 +28,7 @@ PAIRS = [
         r"O(\alpha^8)",
     ),
 ]
-# Powers that are not whole, unlike sides, what oscillates, letters of which nothing is said.
+# Fractional powers, two sides that differ, oscillation, and letters of which nothing is stated.
 NOT_PROVED = [
     (r"1=1+\sqrt x+O(x)", ("x>0",)),
     ("|x|=x+O(x^2)", ()),

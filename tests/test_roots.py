@@ -1,4 +1,4 @@
-"""Papers of a user's own whose quantities are roots of equations: Kepler's, and the involute."""
+"""A user's own papers whose quantities are roots of equations: Kepler's and the involute's."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ WHERE = [
 
 @pytest.fixture(scope="module")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the derivations and what is generated from them."""
+    """Return a folder with the derivations and the files generated from them."""
     folder = tmp_path_factory.mktemp("roots")
     shutil.copytree(ROOTS, folder / "derivations")
     run_in(folder, "regenerate")

@@ -1,4 +1,4 @@
-"""Single equations: letters that may be none, and letters that have values."""
+"""Single equations: e, i and d, which might not be letters, and letters that have values."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from mechproof.proof.verdict import Verdict
 
 PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
 
-# A print, what is said of its letters, and its verdict.
+# A print, the values and the conditions given for its letters, and its verdict.
 ROWS = [
     (r"e^x\ge1+x", (), (), PROVED),
     (r"e^x\ge1+x+x^2", (), (), REFUTED),
     (r"\int_0^1e^x\,dx=e-1", (), (), PROVED),
     (r"\frac d{dx}e^{-x^2}=-2xe^{-x^2}", (), (), PROVED),
     (r"\ln e^x=x", (), (), PROVED),
-    # Euler's number stands beside powers and factorials that run, where nothing else is free.
+    # An e next to running powers or factorials is Euler's number if nothing else is free.
     (r"\lim_{n\to\infty}\left(1+\frac1n\right)^n=e", (), (), PROVED),
     (r"\lim_{x\to0}(\cos x)^{1/x^2}=e^{-1/2}", (), (), PROVED),
     (r"\lim_{x\to0}(1+2x)^{1/x}=e", (), (), REFUTED),
     (r"\sum_{k=0}^\infty\frac{(-1)^k}{k!}=\frac1e", (), (), PROVED),
-    # So in a value.
+    # Likewise in a given value.
     (r"\ddot x=x", ("x=e^{-t}",), (), PROVED),
     (r"\ddot x=-x", ("x=e^{-t}",), (), REFUTED),
     (
@@ -37,12 +37,12 @@ ROWS = [
         (),
         REFUTED,
     ),
-    # A letter is what is integrated over, or comes to a number.
+    # An e is a letter if it is integrated or differentiated over, or tends to a number.
     (r"\int_0^1e\,de=\frac12", (), (), PROVED),
     (r"\frac d{de}(1-e^2)=-2e", (), (), PROVED),
     (r"\lim_{e\to0}\frac{1-\sqrt{1-e^2}}{e^2}=\frac12", (), (), PROVED),
     (r"\lim_{e\to0}\frac{1-\sqrt{1-e^2}}{e^2}=1", (), (), REFUTED),
-    # And what lies between numbers.
+    # So is a letter that a condition bounds by numbers.
     (
         r"1-e\cos E=\frac{1-e^2}{1+e\cos\nu}",
         (r"\nu=2\arctan\left(\sqrt{\frac{1+e}{1-e}}\tan\frac E2\right)",),
@@ -53,7 +53,7 @@ ROWS = [
     (r"(1+e)^2>1", (), (r"0\le e<1",), REFUTED),
     (r"i^2>0", (), ("i>0",), PROVED),
     (r"\int_0^1xd\,\mathrm dx=\frac d2", (), ("x>0,d>0",), PROVED),
-    # An e that has a value, or is named, is what is said.
+    # An e with a given value is a letter; so is a d that forms no differential.
     (r"e^x=2^x", ("e=2",), (), PROVED),
     (r"\frac{\pi D^2}4-\frac{\pi d^2}4=\frac\pi4(D-d)(D+d)", (), (), PROVED),
     (r"\frac d2+\frac d2=d", (), (), PROVED),
@@ -75,7 +75,7 @@ ROWS = [
     (r"\Gamma(x)\Gamma(1-x)=\frac\pi{\cos\pi x}", (), ("0<x<1",), REFUTED),
     (r"\int_0^\infty t^{x-1}e^{-t}\,dt=\Gamma(x)", (), ("x>0",), PROVED),
     (r"\int_0^\infty t^{x-1}e^{-t}\,dt=\Gamma(x)", (), (), Verdict.UNDECIDED),
-    # What gives a letter has a real value.
+    # An expression given for a letter has a real value.
     (r"|x|\le R", (r"y=\sqrt{R^2-x^2}",), ("R>0",), PROVED),
     (r"|x|\le R-1", (r"y=\sqrt{R^2-x^2}",), ("R>0",), REFUTED),
     (r"x\ge1", (r"t=\ln(x-1)",), (), PROVED),
@@ -98,7 +98,7 @@ def test_what_an_e_is_taken_for_is_told() -> None:
     assert judge_pasted(Pasted(r"e^x>0")).taken["e"] == "Euler's number"
 
 
-# An e may be Euler's number: where it lies between letters, or stands alone on a side.
+# An e that may be Euler's number: it bounds a letter, or is alone on one side.
 OPEN = [
     (r"\ln x>1", (), ("x>e",)),
     (r"e=\lim_{x\to0}\frac{\sin x}x", (), ()),

@@ -1,4 +1,4 @@
-"""The store of all caches: where it is, what is as good as absent, and what a write leaves."""
+"""The store behind all caches: where it is, what counts as absent, and what a write leaves."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.roundoff import certificate_files as certificates
 from mechproof.tools import cache
 from mechproof.tools.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
 
-# One worker reads the imports of all modules.
+# The worker of test_layers.py also runs this file: it has read the imports of all modules.
 pytestmark = pytest.mark.xdist_group("test_layers.py")
 
 
@@ -100,9 +100,9 @@ def test_another_place_has_another_name(tmp_path: Path) -> None:
 
 
 def reached(*starts: str) -> set[str]:
-    """Modules that are imported on the way, without those that find, read and write files.
+    """Return the modules that `starts` import, directly or not, except those that handle files.
 
-    `processes` is reached by the loader alone, whose time it limits.
+    `processes` is reached only through the loader, whose time it limits.
     """
     graph = {module: kinds.run for module, kinds in read_graph().items()}
     finding = ("chosen", "derivation", "measured", "tools")
@@ -123,7 +123,7 @@ def test_a_verdict_rests_on_all_that_judges() -> None:
 
 
 def test_a_certificate_rests_on_all_that_proves_it() -> None:
-    """What becomes a program counts by the program, which the keys hold."""
+    """Modules that make programs count through the program itself, which the keys contain."""
     before = ("record", "codegen.", "programs.")
     files = {f"{m.replace('.', '/')}.py" for m in reached("mechproof.roundoff.certificate")}
     package = Path(cache.__file__).parents[1]

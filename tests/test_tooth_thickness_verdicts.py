@@ -1,4 +1,4 @@
-"""Rows of the paper that are slightly wrong are refuted, or true on less."""
+"""Slightly wrong variants of the paper's rows are refuted, or hold on a smaller part."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def row(number: str) -> Row:
     return next(row for row in paper_of("tooth_thickness").rows if row.number == number)
 
 
-# Where the claim is said to hold, a little too much.
+# Parts slightly larger than those on which the claims are said to hold.
 TOO_WIDE = {
     "(b)": {mechanics.gauge_um: Interval.Lopen(Rational("1.2260"), mechanics.GAUGE_UM)},
     "(1), influence 0.7284": {mechanics.tilt: Interval(0, 3 * mechanics.NARROW)},

@@ -1,4 +1,4 @@
-"""The consequences of Table 1 for the wheel with a track, found again by the shipped kernels."""
+"""The consequences of Table 1 for the wheel with a track, recomputed by the shipped kernels."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def total(errors, coefficients=1.0):
 
 
 def fall(place, left, coefficients=1.0):
-    """Return by how many per cent the total falls when this part of one error is left."""
+    """Return by how many per cent the total falls when one error is scaled by `left`."""
     changed = TABLE.copy()
     changed[place] *= left
     return 100 * (1 - total(changed, coefficients) / total(TABLE, coefficients))

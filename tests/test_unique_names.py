@@ -1,4 +1,4 @@
-"""One name, one thing: no module, package or public class of the package is called as another."""
+"""One name, one thing: no two modules, packages or public classes of the package share a name."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import pytest
 import mechproof
 
 PACKAGE = Path(mechproof.__path__[0])
-# A system has one name in all folders; these lie in the package where it is installed.
+# A system has the same name in both folders, which an installed package contains.
 SYSTEMS = ("kernels/", "derivations/")
 PUBLIC_CLASS = re.compile(r"^class ([A-Za-z]\w*)", re.MULTILINE)
 
 
 def list_names(package: Path) -> Iterator[tuple[str, str]]:
-    """Names of modules, packages and public classes, each with the file that it stands for."""
+    """Yield the names of modules, packages and public classes, each with its file."""
     for path in package.rglob("*.py"):
         place = path.relative_to(package).as_posix()
         if place.startswith(SYSTEMS):
@@ -30,7 +30,7 @@ def list_names(package: Path) -> Iterator[tuple[str, str]]:
 
 
 def find_twins(package: Path) -> Mapping[str, set[str]]:
-    """Return names that stand for several things, with the files of these."""
+    """Return the names that stand for several things, each with the files of these."""
     places = defaultdict(list)
     for name, place in list_names(package):
         places[name].append(place)

@@ -1,4 +1,4 @@
-"""What is not proved of a kernel stops every command that would ship it; rivals may be wrong."""
+"""An unproved kernel stops every command that would ship it; its rivals may be wrong."""
 
 from __future__ import annotations
 

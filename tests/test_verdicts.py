@@ -1,7 +1,7 @@
 """The expected verdict and rung of every row of every paper.
 
-The derivations hold no verdict: it is what the ladder returns, and the tables in
-`tests/expected` (number, verdict, rung) hold it to that.
+The derivations contain no verdicts: the ladder returns them, and the tables in `tests/expected`
+(number, verdict, rung) pin them down.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def test_nothing_is_left_open(system: str) -> None:
 
 
 def of_forms(system: str) -> list[Judgement]:
-    """The rows of forms; what a rival of a kernel should be is the kernel."""
+    """Return the rows of forms; the correction of a wrong one is the kernel itself."""
     return [j for j in judge_all(system).values() if j.number.startswith("kernel ")]
 
 

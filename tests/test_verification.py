@@ -1,4 +1,4 @@
-"""Judging papers in processes: the same ledger in the same order, however it is spread."""
+"""Judging papers in processes: the same ledger in the same order, however rows are spread."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_processes_change_nothing(file: Path, start: str) -> None:
 
 @pytest.mark.slow
 def test_a_derivation_that_changes_while_it_is_judged_is_an_error(file: Path) -> None:
-    """Each process that reads the file meets other rows."""
+    """Each process that reads the file finds different rows."""
     count = "READ = Path(__file__).with_name('read')\nREAD.open('a').write('x')\n"
     text = TEXT.replace("ROWS =", f"{count}ROWS =").replace(
         'f"({n})"', 'f"({n}, {READ.read_text()})"'
