@@ -1,4 +1,4 @@
-"""The command that judges: what it reads and shows, the shape of the JSON, rows that fail."""
+"""The command `verify`: what it reads and shows, the shape of its JSON, and rows that fail."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_a_derivation_that_loops_is_stopped_by_the_limit(tmp_path: Path, loop: s
 
 
 def test_an_interrupt_of_the_user_stays_one(tmp_path: Path) -> None:
-    # In the background of a shell interrupts are ignored.
+    # Background jobs of a shell ignore interrupts.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         with pytest.raises(KeyboardInterrupt), stop_after(60.0, tmp_path):

@@ -174,7 +174,7 @@ def test_evidence_of_exact_numbers_shows_both_sides() -> None:
 
 
 def with_form(name: str, form: Form) -> Paper:
-    """Keep one quantity, computed by another form."""
+    """Return the paper with a single quantity, computed by `form` only, and without rows."""
     quantity = next(q for q in paper_of("wedge_linkage").quantities if q.name == name)
     return dataclasses.replace(
         paper_of("wedge_linkage"),
@@ -192,7 +192,7 @@ def judge_form(paper: Paper) -> Verdict:
     return judge(row, paper).verdict
 
 
-# The quantity in which a step is met first, and what stands in its place.
+# For each step, the quantity that first uses it, and a wrong definition of the step.
 NEARLY = sp.Rational(1025, 1024)
 IN_CONTACT = chain.l_LM * chain.cos_wedge / chain.rise
 WRONG_STEPS = {

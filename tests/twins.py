@@ -1,4 +1,4 @@
-"""Statements in LaTeX beside false twins: one must be proved by a rung, the other not accepted."""
+"""Statements in LaTeX with false twins: a rung must prove the one, none may accept the other."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# What is printed, a twin that is slightly wrong, and where both are meant.
+# A print, a slightly wrong twin, and the conditions stated for both.
 Twins = tuple[str, str, str]
 ACCEPTED = {Verdict.PROVED, Verdict.CONDITIONAL, Verdict.CONVENTION, Verdict.DEFINITION}
 
@@ -21,12 +21,12 @@ def judge(latex: str, where: str = "") -> tuple[Verdict, str]:
 
 
 def list_rows(tables: Mapping[str, tuple[Twins, ...]]) -> list[tuple[str, str, str, str]]:
-    """List the rows of tables, each of which is of one rung."""
+    """List the twins of all tables, each preceded by the rung of its table."""
     return [(rung, *twins) for rung, table in tables.items() for twins in table]
 
 
 def check_twins(rung: str, printed: str, twin: str, where: str) -> None:
-    """Assert that the rung proves what is printed, and that no rung accepts the twin."""
+    """Assert that the rung proves the print, and that no rung accepts the twin."""
     verdict, named = judge(printed, where)
     assert verdict is Verdict.PROVED
     assert rung in named.split(", ")

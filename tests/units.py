@@ -1,4 +1,4 @@
-"""Numbers with units, of two libraries that call them differently."""
+"""Numbers with units from two libraries, pint and astropy."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ LIBRARIES = (
 
 
 def list_other_units(value: Any) -> list[Any]:
-    """List a value in a unit of neither angles nor lengths nor pure numbers, and all of astropy."""
+    """List a value in seconds, and in units of astropy, bare and in containers."""
     duration = REGISTRY.Quantity(np.asarray(value, float)[()], REGISTRY.second)
     given = astropy.units.Quantity(value, astropy.units.deg)
     return [duration, [duration], ((duration,), (duration,)), given, given / given, [given]]
 
 
 def list_with_units(value: Any) -> list[Any]:
-    """List a value in degrees, as a number without a dimension, and inside a list and a tuple."""
+    """List a value in degrees, bare, dimensionless, and inside a list and tuples."""
     found = []
     for quantity, degree in LIBRARIES:
         given = quantity(np.asarray(value, float)[()], degree)

@@ -1,4 +1,4 @@
-"""Brackets behind letters: sums that units and functions tell to be factors, and arguments."""
+"""Brackets after letters: sums that units and functions show to be factors, and arguments."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def outcomes(*equations: str, said: str = "") -> list[str]:
     return [row.outcome for row in judge(*equations, said=said).rows[4:]]
 
 
-# Sizes of several units, and letters in others.
+# Sizes in several units, and letters declared in others.
 UNITS = r"""%% mechproof
 %% F ; G : forces [N]
 %% A : area [mm^2]
@@ -62,7 +62,7 @@ For $F=12\,\mathrm{kN}$, $A=50\,\mathrm{mm^2}$, $T=49\,\mathrm{N\,m}$, $\omega=1
 $d=50\,\mathrm{mm}$, $n=1450\,\mathrm{min}^{-1}$ and $n_s=1500\,\mathrm{min}^{-1}$
 """
 IN_UNITS = {
-    # The numbers are those of N/mm^2 all along, or of no unit that fits.
+    # The numbers are in N/mm^2 throughout, or in no unit that fits.
     r"p=\frac FA=\frac{12000}{50}=240\,\mathrm{MPa}": ["PROVED", "PROVED"],
     r"p=\frac FA=\frac{12000}{50}=240\,\mathrm{Pa}": ["PROVED", "REFUTED"],
     r"p=\frac FA=\frac{12000}{50}=0.00024\,\mathrm{MPa}": ["PROVED", "REFUTED"],
@@ -188,7 +188,7 @@ def test_without_sizes_nothing_is_said_of_what_is_put_in() -> None:
 
 
 CALCULATED = {
-    # A turn of the earth around the sun, in degrees a day, and with two digits exchanged.
+    # The earth's motion around the sun per day: as it is, and with two digits exchanged.
     r"\frac{360^\circ}{365.26\text{ days}}\cdot1\text{ day}=0.9856^\circ": ["PROVED"],
     r"\frac{360^\circ}{356.26\text{ days}}\cdot1\text{ day}=0.9856^\circ": ["REFUTED"],
     r"\frac{5\,\mathrm{kN}}{20\,\mathrm{mm^2}}=250\,\mathrm{MPa}": ["PROVED"],
@@ -258,7 +258,7 @@ def test_dimensions_have_units_of_si(unit: str, name: str) -> None:
     assert read_unit(name).scale == 1
 
 
-# Calculations beside one another, and how far rounding explains what they give.
+# Calculations in chains, and how far rounding explains their results.
 WORKED_OUT = r"""%% mechproof
 %% h ; a ; b ; r : lengths [mm]
 %% l : length [cm]
@@ -274,15 +274,15 @@ WORKED_OUT = r"""%% mechproof
 RESULTS = {
     r"A=h\omega^2=0.020\cdot30^2=18.0\,\mathrm{m/s^2}": ["PROVED", "PROVED"],
     r"A=h\omega^2=0.200\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, "REFUTED"],
-    # Rounded, or in other units.
+    # Numbers that may be rounded, or in other units.
     r"A=h\omega^2=0.021\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, UNJUDGED],
     r"A=h\omega^2=20\cdot30^2=18.0\,\mathrm{m/s^2}": [UNJUDGED, UNJUDGED],
     r"l=a+b=20+30=5\,\mathrm{cm}": [UNJUDGED, UNJUDGED],
-    # Revolutions by the minute as they stand.
+    # Revolutions per minute, put in without conversion.
     r"v=\frac{4rn}{60}=\frac{4\cdot0.04\cdot3000}{60}=8\,\mathrm{m/s}": ["PROVED", "PROVED"],
     r"v=\frac{4rn}{60}=\frac{4\cdot0.04\cdot3000}{60}=9\,\mathrm{m/s}": ["PROVED", "REFUTED"],
     r"v=\frac{4rn}{60}=\frac{2\cdot0.04\cdot3000}{60}=4\,\mathrm{m/s}": [UNJUDGED, UNJUDGED],
-    # Exact: what is declared, and what is the same as before.
+    # Exact numbers: declared ones, and members that repeat the one before.
     r"q=\frac{u^2}{1.5}=\frac{0.5^2}{3\cdot0.5}=\frac{0.25}{1.5}=0.1667": ["PROVED"] * 3,
     r"q=\frac{u^2}{1.5}=\frac{0.5^2}{3\cdot0.5}=\frac{0.25}{1.5}=0.1767": [
         "PROVED",
@@ -308,7 +308,7 @@ def test_calculations_give_what_stands_behind_them(printed: str) -> None:
     assert [row.outcome for row in rows][1:] == RESULTS[printed]
 
 
-# Angles by numbers alone, in degrees and where nothing says so.
+# Angles from numbers alone: in degrees, and where nothing says so.
 DEGREES = {
     r"\psi=\arctan\frac{6}{\pi\cdot36}=3.04^\circ": "PROVED",
     r"\psi=\arctan\frac{6}{\pi\cdot36}=3.40^\circ": "REFUTED",
@@ -327,7 +327,7 @@ def test_angles_without_a_sign_of_degrees_accuse_nobody(printed: str) -> None:
     assert rows[-1].outcome == DEGREES[printed]
 
 
-# The first member of a chain needs letters that have no size, or none where one is zero.
+# The first member of the chain needs letters without sizes, or has no value as one of them is zero.
 MEMBERS = {
     r"q=\frac{6-2}{2\cdot6}": "PROVED",
     r"q=\frac{6+2}{2\cdot6}": UNJUDGED,
@@ -343,7 +343,7 @@ def test_numbers_may_be_put_into_a_further_member(printed: str, said: str) -> No
     assert rows[-1].outcome == MEMBERS[printed]
 
 
-# An angle behind its cosine or sine.
+# An angle printed after its cosine or sine.
 ANGLES = {
     r"\cos\psi=\frac{0.5^2}{3\cdot0.5},\quad\psi=80.4^\circ": "PROVED",
     r"\cos\psi=\frac{0.5^2}{3\cdot0.5}=0.1667,\quad\psi=84.0^\circ": "REFUTED",

@@ -1,4 +1,4 @@
-"""The command `check` with the files of papers."""
+"""The command `check`, run on the files of papers."""
 
 from __future__ import annotations
 

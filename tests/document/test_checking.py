@@ -1,4 +1,4 @@
-"""Papers of a few lines: what each equation does and what becomes of it, with wrong neighbours."""
+"""Papers of a few lines: the role and the outcome of each equation, with wrong neighbours."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ CASES = {
         ],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
-    # Of the values that are tried for the letters some make k + n zero.
+    # Some of the values tried for the letters make k + n zero.
     "a form that has no value where letters are the opposite of others": (
         [r"h=\frac{kn}{k+n}-\frac{an}{k+n}=\frac{(k-a)n}{k+n}"],
         ["DEFINITION", "PROVED"],
@@ -301,7 +301,7 @@ CASES = {
     "a derivative that is not declared": ([r"\frac{dk}{dm}=0"], ["not read"]),
     "an expression": ([r"a+b"], ["not judged"]),
 }
-# What a block says besides.
+# Additional lines of the block of a case.
 SAID = {
     "a letter that counts may be printed as another number": "%% natural n\n%% identity (2), (3)\n",
     "what depends on time is multiplied by what is no time": (
@@ -313,7 +313,7 @@ SAID = {
 }
 
 
-# Rows about w(\varphi) beside \varphi(t), and what becomes of the last one.
+# Equations about w(\varphi) when \varphi(t) is declared, and the outcome of the last one.
 CHAINED = [
     ([r"w=h\sin\varphi", r"\dot w=h\dot\varphi\cos\varphi"], "PROVED"),
     ([r"w=h\sin\varphi", r"\dot w=-h\dot\varphi\cos\varphi"], "REFUTED"),
@@ -386,12 +386,12 @@ def test_rows_say_what_they_do_and_where_they_stand() -> None:
     assert [row.place.line for row in rows] == [17, 18]
 
 
-# An equation, what stands behind it, and whether it tells that nothing else uses its letter.
+# An equation, the text after it, and whether the row reports that nothing else uses its letter.
 LONELY = {
     (r"u=m\cos\alpha", ""): True,
     (r"u=m\cos\alpha", "$$k=2u$$"): False,
     (r"\dot x=r\dot\varphi", "$$x=r$$"): False,
-    # Nobody knows what stands there.
+    # The display cannot be read, so it may use the letter.
     (r"u=m\cos\alpha", "$$k=2q_u$$"): False,
     (r"u=m\cos\alpha", "$$k=\\mu$$"): True,
     (r"u=m\cos\alpha", r"\begin{tabular}{ll}$m$ & $u$\\1 & 2\end{tabular}"): False,
@@ -420,7 +420,7 @@ def test_without_a_block_letters_are_real_numbers_and_told() -> None:
 @pytest.mark.parametrize(
     ("latex", "outcome"),
     [
-        # Where it can be nothing else, it is a letter.
+        # A letter where it can be nothing else.
         (r"k=\frac{Gd^4}{8D^3n}", "DEFINITION"),
         (r"b=\frac{ce}{c+f}", "DEFINITION"),
         (r"i_{\max}=2i", "DEFINITION"),
@@ -433,7 +433,7 @@ def test_without_a_block_a_letter_that_may_be_a_sign_is_taken_or_named(
 ) -> None:
     (row,) = check("paper.tex", f"$${latex}$$").rows
     assert row.outcome == outcome
-    # What is missing is that letter, not the first of the print.
+    # The reason names that letter, not the first one of the print.
     assert outcome == "DEFINITION" or row.reason[0] in "de"
 
 

@@ -1,4 +1,4 @@
-"""Prints that are common on paper: parted thousands, degrees in brackets, partial derivatives."""
+"""Prints common in papers: separated thousands, degrees in brackets, partial derivatives."""
 
 from __future__ import annotations
 

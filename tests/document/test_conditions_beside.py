@@ -1,4 +1,4 @@
-"""Equations under a printed condition: what follows there, what does not, and what it proves."""
+"""Equations under a printed condition: what follows there, what does not, and what they prove."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ $$l\sin\beta=r\sin\varphi-e$$
 """
 HELD = r"With the ring held ($n_3=0$) we get $$\frac{n_1}{n_2}=1+\frac{z_3}{z_1}$$"
 CENTRED = r"$$l\sin\beta=r\sin\varphi\quad(e=0)$$"
-# What stands before, the equations behind it, and the outcomes of these.
+# The text before, the equations after it, and the outcomes of these.
 PAPERS = [
     (WILLIS, rf"{HELD} and $$n_2=\frac{{z_1}}{{z_1+z_3}}n_1\quad(n_3=0)$$", "PROVED PROVED"),
     (WILLIS, rf"{HELD} and $$n_2=\frac{{z_3}}{{z_1+z_3}}n_1\quad(n_3=0)$$", "PROVED REFUTED"),
@@ -61,17 +61,17 @@ PAPERS = [
     (WILLIS, r"$$n_3=\frac{z_1-z_3}{z_3}n_2\quad(n_1=0)$$", "REFUTED"),
     (WILLIS, r"$$n_1=\frac{z_1+z_3}{z_1}n_2,\quad n_3=0$$", "PROVED DEFINITION"),
     (WILLIS, r"$$n_1=\frac{z_1-z_3}{z_1}n_2,\quad n_3=0$$", "REFUTED DEFINITION"),
-    # What follows from a sentence goes on as long as nothing new is said.
+    # A condition stated in a sentence goes on as long as nothing new is said.
     (WILLIS, rf"{HELD} Hence $$z_1n_1=(z_1+z_3)n_2$$", "PROVED PROVED"),
     (WILLIS, rf"{HELD} In general $$z_1n_1=(z_1+z_3)n_2$$", "PROVED DEFINITION"),
-    # What prints the letter is meant for other values, too.
+    # An equation that prints the letter is meant for its other values, too.
     (
         LOOP,
         r"It starts at $\varphi=0$. Hence $$l\dot\psi\cos\psi=r\dot\varphi\cos\varphi$$"
         r"$$l\dot\psi\cos\psi=r\dot\varphi$$",
         "PROVED DEFINITION",
     ),
-    # Nothing that is about a special case is proved or refuted by another.
+    # Nothing about one special case is proved or refuted by another.
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$2a+2b=2c$$", "PROVED DEFINITION"),
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$2a+2b=2c\quad(d=0)$$", "PROVED PROVED"),
     (LETTERS, r"$$a+b-c=0\quad(d=0)$$ $$a+b-c=1\quad(d=1)$$", "PROVED PROVED"),
@@ -80,7 +80,7 @@ PAPERS = [
     (SLIDER, CENTRED + r"$$\sin\beta=\frac{r\sin\varphi}l\quad(e=0)$$", "PROVED PROVED"),
     (SLIDER, CENTRED + r"$$\sin\beta=\frac{r\cos\varphi}l\quad(e=0)$$", "PROVED REFUTED"),
     (SLIDER, r"$$l\dot\beta\cos\beta=r\dot\varphi\cos\varphi\quad(e=0)$$", "PROVED"),
-    # What holds at an instant has no derivative.
+    # An equation that holds at one instant only has no derivative.
     (LOOP, r"$$l\sin\psi=c\quad(\varphi=0)$$ $$\dot\psi=0\quad(\varphi=0)$$", "PROVED DEFINITION"),
     (LOOP, r"$$l\dot\psi\cos\psi=r\dot\varphi\quad(\varphi=0)$$", "PROVED"),
     (
@@ -131,7 +131,7 @@ def test_a_value_of_a_letter_with_another_definition_follows(value: str, expecte
     assert check("paper.tex", f"{block}{case}{value}$$").rows[-1].outcome == expected
 
 
-# Words beside a condition, and whether they leave it as it is.
+# Words around a condition, and whether they leave its meaning unchanged.
 WORDS = {
     r"\quad\text{with the ring held }(n_3=0)": True,
     r"\quad\text{(ring held, }n_3=0)": True,

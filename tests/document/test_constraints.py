@@ -135,7 +135,7 @@ CASES = {
         [r"m^2+n^2+1=0", r"m=n+k"],
         ["REFUTED", "DEFINITION"],
     ),
-    # What defines a letter afterwards may be the wrong one.
+    # A later definition of a letter may itself be the wrong equation.
     "what a later definition makes true nowhere is not refuted": (
         [r"\frac1m=\frac1n+\frac1k", r"m=\frac{nk}{n-k}"],
         ["not judged", "not judged"],
@@ -311,7 +311,7 @@ FOLLOWING = {
     r"\ddot\alpha=\frac{r\ddot\varphi\cos\varphi-r\dot\varphi^2\sin\varphi"
     r"+l\dot\alpha^2\sin\alpha}{l\cos\alpha}": "PROVED",
     r"\ddot x=0": "not judged",
-    # What gives an acceleration is not meant where it is zero.
+    # An equation that gives an acceleration is not meant for the case where it is zero.
     r"\ddot\alpha=\frac{r\ddot\varphi\cos\varphi+r\dot\varphi^2\sin\varphi"
     r"+l\dot\alpha^2\sin\alpha}{l\cos\alpha}": "REFUTED",
     r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
@@ -342,7 +342,7 @@ def test_a_constraint_says_which_others_have_its_letters(latex: str, told: str) 
     assert row.reason.partition("; that it follows from ")[2] == told
 
 
-# What a block says besides.
+# Additional lines of the block of a case.
 SAID = {
     "roots of products of positive letters": "%% where k>0\n%% where m>0\n",
     "the derivative of an angle whose tangent is printed": "%% \\eta(t) : angle [rad]\n",
@@ -362,7 +362,7 @@ def test_rows_beside_constraints_have_their_outcome(case: str) -> None:
     assert outcomes(*equations, block=SAID.get(case, "")) == expected
 
 
-# A slotted lever: what is shown to follow leaves fewer premises for what stands behind it.
+# A slotted lever: equations shown to follow are not premises again for later ones.
 LEVER = r"""%% mechproof
 %% r ; c : lengths [mm] {r>0}
 %% s(t) : position [mm]
@@ -385,7 +385,7 @@ def test_what_follows_is_no_premise_again(sign: str, expected: str) -> None:
     assert row.outcome == expected, row.reason
 
 
-# A rod whose crank turns at a speed that the block gives.
+# A rod and a crank, which turns at a speed given by the block.
 TURNING = r"""%% mechproof
 %% r ; l : lengths [mm] {r>0}
 %% \varphi(t) ; \beta(t) : angles [rad] {-\pi/2<\beta<\pi/2}
@@ -404,7 +404,7 @@ $$r\sin\varphi=l\sin\beta$$
         (r"\omega\cos\varphi", "", "PROVED"),
         (r"\omega\sin\varphi", "", "REFUTED"),
         (r"\omega\cos\varphi", r"$$\omega=\frac{2\pi n}{60}$$", "PROVED"),
-        # By n, which nothing else has, it may have any value.
+        # Given by n, which appears nowhere else, the speed may have any value.
         (r"\omega\sin\varphi", r"$$\omega=\frac{2\pi n}{60}$$", "REFUTED"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Rows that contradict each other are no premises together: anything would follow from them."""
+"""Contradictory rows are not used as premises together: anything would follow from them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ BLOCK = "%% mechproof\n%% p ; a ; b ; c ; q ; i : numbers [1] {b>0,q>0}\n%% end\
 WILLIS = r"\begin{equation}\frac{p-c}{a-c}=-\frac bq\end{equation}"
 SOLVED = r"\begin{equation}p=c\left(1+\frac bq\right)-a\frac bq\end{equation}"
 WRONG = SOLVED.replace("-a", "+a")
-# False but where a is zero; a = 0 would follow from both together.
+# False except where a is zero; a = 0 would follow from both rows together.
 CONSEQUENCE = r"\begin{equation}p^2=c^2\left(1+\frac bq\right)^2\end{equation}"
 OTHER = r"\begin{equation}i=\frac ab=\frac{a+a}b\end{equation}"
 

@@ -1,4 +1,4 @@
-"""Numbers beside numbers: the same in another unit, or what an irrational one rounds to."""
+"""Numbers equated to numbers: the same in another unit, or a rounding of an irrational one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NUMBERS = {
     r"20^\circ=0.349^\circ": "REFUTED",
     r"\frac{360}{20}=18^\circ": "PROVED",
     r"\arctan0.5=26.57^\circ": "PROVED",
-    # An irrational number is rounded if it is said to be one of many digits.
+    # An irrational number equated to a number of many digits is taken as rounded.
     r"\frac{30\,000}{\pi}=9549": "PROVED",
     r"\frac{30\,000}{\pi}=9548": "REFUTED",
     r"\frac{30\,000}{\pi}\approx9550": "not judged",
@@ -44,10 +44,10 @@ COUNTED = {
     r"n=\frac{30\omega}{\pi}=10.07\,\mathrm{rad/s}": "REFUTED",
     r"n=\frac{30\omega}{\pi}=604\,\mathrm{min^{-1}}": "PROVED",
     r"\omega=25\,\mathrm{s^{-1}}=25\,\mathrm{rad/s}": "PROVED",
-    # Of an angular velocity these are the same.
+    # For an angular velocity, s^-1 and rad/s are the same.
     r"\omega=25\,\mathrm{s^{-1}}=157.08\,\mathrm{rad/s}": "REFUTED",
     r"1500\,\mathrm{min^{-1}}=25\,\mathrm{s^{-1}}=157.08\,\mathrm{rad/s}": "PROVED",
-    # Numbers without a unit may have any.
+    # Bare numbers may be in any unit.
     r"K=50.000-49.991=9\,\mathrm{\mu m}": "not judged",
     r"K=50.000-49.991=8\,\mathrm{\mu m}": "REFUTED",
 }
@@ -74,7 +74,7 @@ TURNED = {
     r"\lambda=85\,\%=85": "REFUTED",
     r"u=85\,\%=0.85": "PROVED",
     r"u=20\,\mathrm{°C}=293\,\mathrm{K}": "not judged",
-    # Rounded is what has fewer digits.
+    # The number with fewer digits is the rounded one.
     r"u=3000\,\mathrm{rpm}=314\,\mathrm{rad/s}": "PROVED",
     r"u=314\,\mathrm{rad/s}=3000\,\mathrm{rpm}": "PROVED",
     r"u=314\,\mathrm{rad/s}=3010\,\mathrm{rpm}": "REFUTED",

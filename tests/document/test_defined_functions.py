@@ -1,4 +1,4 @@
-"""Functions that prints define: they are read at other arguments, and nothing else is."""
+"""Functions that prints define: only these are read at other arguments."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_a_letter_that_is_printed_of_time_depends_on_it_where_it_stands_bare() -
     prints = ("x(t)=a\\cos t", r"\dot x=-a\sin t", r"x^2+\dot x^2=a^2", "x(0)=a")
     assert judge(*prints) == ["DEFINITION", *3 * ["PROVED"]]
     assert judge(*prints[:1], r"\dot x=a\sin t", "x(0)=2a") == ["DEFINITION", *2 * ["REFUTED"]]
-    # Beside a bracket that may multiply it nothing is known.
+    # A bracket after the letter may be a factor: then nothing is known.
     assert judge(prints[0], "y=x^2", "x(b+c)=a") == ["not read", "DEFINITION", "not read"]
 
 
@@ -74,16 +74,16 @@ def test_a_function_of_several_letters_is_known_by_its_print() -> None:
 @pytest.mark.parametrize(
     "prints",
     [
-        # The letter stands alone elsewhere: a bracket may multiply it.
+        # The letter also appears alone, so the bracket may be a factor.
         ("f(x)=x^2", "f=a+b", "f(a+b)=ab"),
         # Nothing defines it.
         ("f(x+1)=x^2", "f(a+b)=ab"),
         ("f(x)=2", "f(a+b)=ab"),
-        # By itself, it stands for a constant.
+        # Alone, the letter stands for a constant.
         ("v(t)=v+at", r"\dot v=a", "v(t)=a"),
-        # It is defined for one argument: this sum, with a cosine, is none.
+        # It is defined for one argument, which this sum with a cosine is not.
         (r"r(\varphi)=a\varphi", r"r(1-\cos\varphi)=b"),
-        # What depends on time may be multiplied by lengths.
+        # A function of time may be multiplied by lengths.
         (r"k(t)=a+b\sin ct", r"k(x_1-x_2)=b"),
     ],
 )

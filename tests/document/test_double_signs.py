@@ -28,7 +28,7 @@ RADIUS = r"\sqrt{E^2+F^2}"
 REACH = (r"x=a\cos p+b\cos(p+q)", r"y=a\sin p+b\sin(p+q)")
 ELBOW = "x^2+y^2-a^2-b^2"
 SHOULDER = "x^2+y^2+a^2-b^2"
-# What is printed before, a print, and what becomes of it.
+# The prints before, a print, and its outcome.
 CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((WAVE, HALF), ROOTS, "PROVED"),
     ((WAVE, HALF), ROOTS.replace("G-E", "G+E"), "REFUTED"),
@@ -39,30 +39,30 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((WAVE,), ROOTS.replace("T=", r"q=2\arctan"), "PROVED"),
     ((QUADRATIC,), r"x=\frac{-b\pm\sqrt{b^2-4ac}}{2a}", "PROVED"),
     ((QUADRATIC,), r"x=\frac{-b\pm\sqrt{b^2-4ac}}{a}", "REFUTED"),
-    # Two changes contradict the other; without a constraint nothing is known.
+    # Two misprints at once are not accused; without a constraint nothing is known.
     ((QUADRATIC,), r"x=\frac{b\pm\sqrt{b^2+4ac}}{2a}", "not judged"),
     ((), r"x=a\pm\sqrt b", "DEFINITION"),
-    # In a range it gives the letter no value.
+    # With a range printed after it, it does not define the letter.
     ((), r"q=\arccos(a\pm b)\qquad0\le q\le\pi", "not read"),
     ((), r"q=\arccos(a\pm b)\qquad0\le x\le1", "not read"),
-    # Two letters that are the roots.
+    # Two letters at once that are the two roots.
     ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{2a}", "PROVED"),
     ((QUADRATIC,), r"x_{1,2}=\frac{-b\pm\sqrt{b^2-4ac}}{a}", "REFUTED"),
-    # Of two prints the first does not rest on the second.
+    # Of two prints, the first does not rest on the second.
     ((r"x=a\pm\sqrt b",), r"x=\sqrt b\left(\frac a{\sqrt b}\pm1\right)", "PROVED"),
-    # Of a chain the first sign; the others hold with both.
+    # In a chain, the first member gives the two values; the others must hold with both signs.
     ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\mp\sqrt{{b^2-4ac}}}}", "PROVED"),
     ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{b\mp\sqrt{{b^2-4ac}}}}", "REFUTED"),
-    # The other way round they are the same two values.
+    # With its signs the other way round, a member has the same two values.
     ((QUADRATIC,), rf"{TWO}=\frac{{2c}}{{-b\pm\sqrt{{b^2-4ac}}}}", "not judged"),
     ((r"(a-b)^2x^2=1",), r"x=\pm\frac1{a-b}=\pm\frac1{b-a}", "not judged"),
     ((), r"q=\pm\arccos(-T)=\pi\mp\arccos T", "PROVED"),
     ((), r"q=\pm\arccos(-T)=\pi\mp\arcsin T", "REFUTED"),
-    # What is mended may become the constraint.
+    # A correction may make the print satisfy the constraint.
     ((r"x^2+2Tx+c=0",), r"x=T\pm\sqrt{T^2-c}", "REFUTED"),
     ((QUADRATIC,), rf"{TWO}=c", "not read"),
     ((QUADRATIC,), r"x=\frac{-b\mp\sqrt{b^2-4ac}}{2a}", "PROVED"),
-    # What is no letter: a tangent of a part, or what has one value or the other.
+    # Left sides that are not letters: the tangent of a half angle, or a term with two values.
     ((WAVE,), ROOTS.replace("T", r"\tan\frac q2"), "PROVED"),
     ((WAVE,), ROOTS.replace("T", r"\tan\frac q2").replace("-G^2", "+G^2"), "REFUTED"),
     ((WAVE,), rf"\cos q=\frac{{-EG\pm F{ROOT}}}{{E^2+F^2}}", "PROVED"),
@@ -89,7 +89,7 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
         rf"p=\operatorname{{atan2}}(y,x)\mp\arccos\frac{{{SHOULDER}}}{{2b\sqrt{{x^2+y^2}}}}",
         "REFUTED",
     ),
-    # Without a double sign it is one of them: it may be meant for a case.
+    # Without a double sign it is one of the two values, which may be meant for one case.
     (REACH, rf"q=\arccos\frac{{{ELBOW}}}{{2ab}}", "DEFINITION"),
     (REACH, r"p=\operatorname{atan2}(y,x)-\operatorname{atan2}(b\sin q,a+b\cos q)", "PROVED"),
     (REACH, r"p=\operatorname{atan2}(y,x)+\operatorname{atan2}(b\sin q,a+b\cos q)", "REFUTED"),
@@ -111,16 +111,16 @@ CASES: list[tuple[tuple[str, ...], str, str]] = [
     ((r"y_{1/2}^2=a\pm b",), r"y_1y_2=\sqrt{a^2-b^2}", "DEFINITION"),
     ((r"z_{1,2}^2=a\pm b",), r"z_2=\sqrt{a-b}", "PROVED"),
     ((r"z_{1,2}^2=a\pm b",), r"z_2=\sqrt{2a-b}", "REFUTED"),
-    # An index of either, and a letter that the block declares itself.
+    # A double index on both sides, and a letter that the block itself declares with one.
     ((r"y_{1,2}=a\pm z_{1,2}",), "y_1+y_2=2a", "DEFINITION"),
     ((r"v_{1,2}=a\pm b",), "v_1+v_2=2a", "DEFINITION"),
-    # Angles only up to whole turns.
+    # Angles are known only up to whole turns.
     ((r"q_{1,2}=p\pm\arccos T",), "q_1+q_2=2p", "DEFINITION"),
-    # The square is a root only where no odd power stands beside it.
+    # The square is a root only where no odd power appears next to it.
     (("ax^4+bx^2+c=0",), TWO.replace("x", "x^2", 1), "PROVED"),
     (("ax^4+bx^2+c=0",), TWO.replace("x", "x^2", 1).replace("4a", "2a"), "REFUTED"),
     (("ax^4+bx+c=0",), TWO.replace("x", "x^2", 1), "not judged"),
-    # A special position is none of what holds otherwise.
+    # A special position says nothing about the other positions.
     ((r"E\sin q=F\sin p", "q=-p"), r"q+p=\pi", "DEFINITION"),
 ]
 
@@ -163,7 +163,7 @@ def test_roots_do_not_rest_on_another_arrangement_behind_them() -> None:
 @pytest.mark.parametrize(
     ("latex", "outcomes"),
     [
-        # Two complex numbers are not the one letter; what holds with either sign is read.
+        # One letter cannot be two complex numbers; an equation for either sign is read.
         (r"x=-b\pm i\sqrt{c-b^2}", ["not read"]),
         (r"e^{\pm ia}=\cos a\pm i\sin a", ["PROVED", "PROVED"]),
         (r"e^{\pm ia}=\cos a\mp i\sin a", ["PROVED", "not judged"]),

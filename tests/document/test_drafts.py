@@ -1,4 +1,4 @@
-"""What a draft of letters proposes: names as they must be declared, and what words say of them."""
+"""What a draft of letters proposes: names as they must be declared, and meanings from the text."""
 
 import pytest
 from small_papers import draft
@@ -17,7 +17,7 @@ from small_papers import draft
         (r"C_{\alpha f}=v_{\mathrm{max}r}", [r"C_{\alpha f} :", r"v_{\max r} :"]),
         (r"s_2=s_1+v\,\Delta t", [r"\Delta t :"]),
         (r"\mathcal K=b-c", [r"\mathcal{K} :"]),
-        # A number behind a display tells the unit of its letter; one of numbers alone does not.
+        # A size at the end of a display shows the unit of its letter; a bare number does not.
         (
             r"F_{\text{in}}=mb=0.5\cdot40=20\,\mathrm{N}\approx\SI{0.02}{kN}",
             [r"F_{\text{in}} : [N]"],
@@ -77,7 +77,7 @@ def test_letters_beside_one_that_may_be_a_differential_are_drafted() -> None:
             "b : widths of belt, pulley and rim",
         ),
         ("With widths $a$, $b$ the length of the belt is\n", "b : widths"),
-        # Right before a letter, without a word that says so.
+        # Words directly in front of a letter, without a verb between them.
         ("the centre distance $a$ and the mean width $b$ give\n", "b : mean width"),
         ("a belt of width $b$ and mass $m$\n", "b : width"),
         ("with the angle of rise $b$\n", "b : angle of rise"),
@@ -114,10 +114,10 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"$$i=\frac{n}{m}$$ $$i=5.49,\qquad n=2$$", ["i :"], []),
         (r"$$i_0=\frac{n}{m}$$ $$i=2n$$ $$i_0=-4$$", ["i :", "i_{0} :"], ["i_0 :"]),
         (r"$$y=\sum_{i=1}^nb_i$$", [], ["i :"]),
-        # What is said to count, and what may be zero in one case only.
+        # Letters that are printed as integers.
         (r"$$y=bk,\qquad k\in\mathbb N$$", ["k :", "natural k"], []),
         (r"$$y=bk_1,\quad k_1\in\mathbb{Z}$$", ["k_{1} :", "integer k_{1}"], []),
-        # What words count, where that is needed to read it.
+        # Letters that the text describes as counts, where reading the print needs that.
         (r"It has $N$ pins. $$y=b\cos N\psi$$", ["natural N"], []),
         (r"the number of teeth $z_1$ $$y=\sin 2z_1\psi$$", ["natural z_{1}"], []),
         (r"$n$ is the number of planets $$y=\sin n\psi$$", ["natural n"], []),
@@ -161,7 +161,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             ["let q=b/c", "sizes q=3"],
             [],
         ),
-        # Primes are by what words say that a letter is a function of, if that is but one.
+        # A prime refers to the argument that the text gives to a letter, if there is only one.
         (r"the lift $s(u)$ $$s=bu^2$$ $$s'=2bu$$ $$y'=s'c$$", ["s(u) :", "y(u) :"], ["s' :"]),
         (r"$s(u)$ and $y(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s(u) :", "y(v) :"], ["s' :"]),
         (r"$s(u)$ is $s(v)$ $$s=bu^2+v$$ $$s'=2bu$$ $$y'=s'$$", ["s' :"], ["s(u) :"]),
@@ -173,7 +173,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [r"# claim \max_{u}s'=2b", r"# claim \min_{u}s=0", r"s_{\max}' :", r"b_{\max} :"],
             [r"# claim \max_{u}b=1", r"s_{\max}(u) :"],
         ),
-        # What moves with what moves in time: both are declared, and the chain rule does the rest.
+        # A letter that depends on one that moves in time: both are declared, for the chain rule.
         (r"the lift $s(u)$ $$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
         (r"$$s=bu^2$$ $$\dot s=s'\dot u$$", ["s(u) :", "u(t) :"], ["s' :", "s(t) :"]),
         (r"$$\dot s=\frac{ds}{du}\dot u$$", ["s(u) :", "u(t) :"], ["s(t) :"]),
@@ -181,14 +181,14 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"$$\dot s=(bd/du)\dot u$$ $$d=2b$$", ["d :"], ["d(u) :", "b(u) :"]),
         (r"$$s=bu^2$$ $$\dot s=2bu\dot u$$", ["s(t) :", "u(t) :"], []),
         (r"the lift $s(u)$ $$s=bu^2$$ $$\dot y=2s$$", ["s(u) :", "y(t) :"], ["u(t) :"]),
-        # Two letters that are printed at once are those two.
+        # Two letters printed as one, with a double index, are declared as two.
         (r"$$y_{1,2}=b\pm c$$ $$y_1+y_2=2b$$", ["y_{1} :", "y_{2} :"], ["y_{1,2} :"]),
         (r"$$y_{1,2}=b\pm c$$ $$y_{1}=2b$$", ["y_{1} :", "y_{1,2} :"], []),
-        # Relations of no single letter, beside what they introduce.
+        # Relations that are not solved for a letter, next to definitions.
         (r"the angle $b$ with $\tan b=c$ $$y=b+c$$", [r"claim \tan b=c"], []),
         (r"With $k=b/c$ and $b^2=2c$ $$y=kb+c$$", ["claim b^2=2c", "let k=b/c"], []),
         (r"At $\tan b=c$, with $b=2$ and where $2b=7$ $$y=b+c$$", ["sizes b=2"], ["claim 2b=7"]),
-        # A speed of which nothing else is said is constant.
+        # A speed is constant if nothing else is said about it.
         (r"with $w=\dot q$ $$b=cw\cos q$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (r"with $w=\dot q$ $$b=cw\cos q$$ $$w=2\pi k$$", [r"let \dot q=w", "q(t) :"], ["q :"]),
         (r"with $w=\dot q$ $$b=cw\ddot q$$ $$w=2\pi k$$", ["q(t) :"], [r"let w=\dot q"]),
@@ -222,13 +222,13 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [],
         ),
         (r"$b_{c,q}$ is the pitch. $$y=b_{c,q}+q$$", ["b_{c,q} : pitch", "q :"], []),
-        # A rate in words makes no matrix one of t, which has a line of its own.
+        # A rate in the text does not make a matrix, which has a line of its own, depend on t.
         (
             r"$$q=\begin{bmatrix}x\\y\end{bmatrix}$$ With $\dot q=Aq+v$, $\dot x=Ax+w$, we have",
             ["q 2x1 :", "x(t) :"],
             ["q(t) 2x1 :"],
         ),
-        # A bracket is one of components beside a vector, whatever it is elsewhere.
+        # A bracket equated to a vector lists its components, whatever brackets mean elsewhere.
         (r"$$[T]=[R,d+t]$$ $$\mathbf{u}=(b,c)$$", [r"\mathbf{u} 2x1 :"], ["T 2x1 :"]),
         (r"$b$ is defined as follows. $$b=c$$", ["b :"], []),
         (r"Here $b$ is constant. $$y=bc$$", ["b :"], []),
@@ -260,7 +260,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         ),
         (r"the force $b$ in N, $b=\SI{20}{kN}$, $$y=2b$$", ["sizes b=20 kN"], []),
         (r"For $b=20$ in all $$y=2bc$$", ["sizes b=20"], ["b : [in]"]),
-        # Units beside letters, and in the heads of tables.
+        # Units after letters, and in the heads of tables.
         (
             r"a mass $b$ in kg, force $c$ [N] $$y=b+c$$",
             ["b : mass [kg] {b>0}", "c : force [N]"],
@@ -284,7 +284,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [],
         ),
         (r"\newcommand{\bs}{b_{s}} with $\bs=24$ $$y=2b_s$$", ["sizes b_{s}=24"], []),
-        # What is denied, assumed, solved or said of a moment defines no letter; nor do multiples.
+        # Equations denied, assumed, derived or true at one moment define nothing; nor do multiples.
         (r"For $b=c^2$ we get $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
         (r"Unless $b=c^2$ it slips. $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
         (r"We do not assume $b=c^2$. $$y=b+c$$", ["# let b=c^2"], ["let b=c^2"]),
@@ -298,7 +298,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"At $t=0$ it is $\dot q=w$ $$b=c\dot q+w$$", [r"# let \dot q=w"], [r"let \dot q=w"]),
         (r"For small $b$ it is $\sin b=b$ $$y=\sin b$$", [], [r"claim \sin b=b"]),
         (r"It does not slip with $\tan b=c$ $$y=b+c$$", [r"# claim \tan b=c"], [r"claim \tan b=c"]),
-        # A speed that varies is defined by the angle.
+        # A speed that varies is defined as the derivative of the angle.
         (r"The speed $w=\dot q$ varies. $$b=cw\cos q$$", [r"let w=\dot q"], [r"let \dot q=w"]),
         (
             r"The acceleration at constant $\dot q=w$ is $$b=cw\cos q$$",
@@ -311,16 +311,16 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [r"let w=\dot q", r"let v=\dot w", "w(t) :"],
             [],
         ),
-        # What a value is given by is declared.
+        # The letters in a given value are declared.
         (r"with $b=kw$ $$y=b^2$$", ["let b=kw", "k :", "w :"], []),
-        # Primes may be of other coordinates.
+        # Primes may refer to other coordinates.
         (
             r"We differentiate with respect to $b$. $$y=b^2q$$ $$y'=y\cos b$$",
             [r"y' :"],
             ["y(b) :"],
         ),
         (r"$$y=b^2q$$ $$y'=2bq$$ The prime is the derivative with respect to $b$.", ["y(b) :"], []),
-        # What is never negative is the length itself.
+        # Only the length itself is positive, not a position, difference, ratio or change.
         (r"$b$ is the position of the mass. $$y=b$$", ["b : position of the mass"], []),
         (r"$b$ is the difference of the radii. $$y=b$$", ["b : difference of the radii"], []),
         (r"$b$ is the mass ratio. $$y=b$$", ["b : mass ratio"], []),
@@ -349,7 +349,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             ["R 2x2 :", "T_x :"],
             ["T :"],
         ),
-        # What stands in sums with an index that runs is a family: its members are no letters.
+        # A letter in a sum with a running index is a family: its members are not declared.
         (
             r"The weights $q_k$ are $$b=\sum_{k=1}^nq_kh_{bk}$$ $$c_k=2q_k$$"
             r"$$q_1=h_{b1}+q_r+d_k$$",
@@ -366,9 +366,9 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             ["natural n", "# natural c"],
             ["natural c"],
         ),
-        # A print may be wrapped, a line of a block is one line.
+        # A print may be wrapped, but an entry of a block is one line.
         ("$$y=c(b,\nq)$$", ["c(b, q) :"], ["q) :"]),
-        # What a check would refuse is a question.
+        # A line that a check would refuse is proposed as a question.
         (
             r"With $b=f(2c)$ the way is $$y=b+q$$ $$f(x)=2x$$",
             ["c :", "# let b=f(2c)"],
@@ -387,13 +387,13 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [r"\bm{n} 2x1 :", r"let \bm{n}=(a,b)^T"],
             [r"\bm{n} 2x2 :"],
         ),
-        # A fraction behind an argument may belong to it.
+        # A fraction after an argument may belong to it.
         (
             r"$$y=2\tan b\frac{c+h}{q}$$",
             ["c :", r"# factor \tan b"],
             [r"factor \tan b"],
         ),
-        # A chain says two things, a number nothing that a row could state.
+        # A chain makes two statements; a number at its end makes none that a row could state.
         (
             r"Writing $q=b/c=\sin h$ we obtain $$y=q\cos h+bc$$",
             ["let q=b/c", r"claim q=\sin h"],
@@ -402,7 +402,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"with $q=2b+h=40$ mm we have $$y=qb$$", ["let q=2b+h"], ["claim q=40"]),
         (r"The whole angle is $2q=\pi-b$. $$y=cq+b$$", [r"let q=\frac{\pi-b}{2}"], []),
         (r"We write $2q+1=b$. $$y=cq+b$$", [], ["let q=b"]),
-        # What a letter is at a place.
+        # The value of a letter at a place.
         (
             r"$$x(q)=b\cos q$$ At the end, $q=\pi$, it is $$x_1=-b$$",
             [r"# claim x=-b\quad\text{for }q=\pi"],
@@ -414,7 +414,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [],
         ),
         (r"$$x(q)=b\cos q$$ With $q=0$ known, the spring has $$x_1=-b$$", [], ["# claim x=-b"]),
-        # What holds in a case is no rival of it.
+        # A value in one case does not compete with the definition.
         (
             r"With $b=2q+h$ the way is $$y=b+q$$ It is largest at $b=1/2$.",
             ["let b=2q+h"],

@@ -1,4 +1,4 @@
-"""An equation with the integral of a narrow peak is judged by its value: an estimate misses it."""
+"""Equations with an integral over a narrow peak are judged by its value; an estimate misses it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equations that the block says to follow from others: proved, or refuted where these hold."""
+"""Equations that follow from others according to the block: proved, or refuted where these hold."""
 
 import pytest
 
@@ -112,7 +112,7 @@ def test_what_has_no_meaning_is_not_compared() -> None:
 
 
 def test_letters_of_which_more_is_said_are_not_solved_for() -> None:
-    """A solution might lie where the paper does not say that its letters do: a point must not."""
+    """Solving might leave the stated ranges of the letters; a witness must be within them."""
     bounds = "%% where N_1>0, N_2>0, W>0, b>0\n"
     block = BLOCK.replace("%% end", f"%% factor N_2\n{bounds}%% end")
     outcome, reason = judge(r"\sqrt{N_2(a+b)}=\sqrt{Wa}", block)

@@ -1,4 +1,4 @@
-"""Inequalities with a unit: both sides are compared as numbers in one."""
+"""Inequalities with a unit: both sides are compared as numbers in the same unit."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def outcomes(*equations: str, sizes: str = "") -> list[str]:
     return [row.outcome for row in run(*equations, sizes=sizes).rows]
 
 
-# What is said within the ranges of the block: true, false, or true of some.
+# Inequalities within the ranges of the block: true, false, or true for some values only.
 LIMITS = {
     r"F<4000\,\mathrm{N}": "PROVED",
     r"4\,\mathrm{kN}>F": "PROVED",
@@ -58,7 +58,7 @@ def test_both_sides_are_numbers_in_one_unit(latex: str, outcome: str) -> None:
     assert outcomes(latex) == [outcome]
 
 
-# Why nothing is said of others.
+# Inequalities that are left open, and why.
 OPEN = {
     r"T<353\,\mathrm{K}": "different zeros",
     r"k<5\,\mathrm{mm}": "none is declared for k",
@@ -76,7 +76,7 @@ def test_what_other_units_would_say_is_left_open(latex: str, reason: str) -> Non
 
 
 def test_a_letter_is_as_large_as_the_formula_that_gives_it() -> None:
-    # F/A counts in kN/mm^2.
+    # F/A is a number in kN/mm^2.
     sizes = "%% sizes F=2, A=100\n"
     right = outcomes(r"\sigma=\frac FA", r"\sigma<30001\,\frac{\mathrm{N}}{\mathrm{mm^2}}")
     assert right[1] == "DEFINITION"
@@ -84,5 +84,5 @@ def test_a_letter_is_as_large_as_the_formula_that_gives_it() -> None:
     assert outcomes(chain, sizes=sizes)[2] == "PROVED"
     wrong = r"\sigma=\frac{F}{A}=20\,\mathrm{MPa}\ge 160\,\mathrm{MPa}"
     assert outcomes(wrong, sizes=sizes)[2] == "REFUTED"
-    # A formula that turns units itself is a number in none that is known.
+    # The unit of a formula that converts units itself is not known.
     assert outcomes(r"P=\frac{Mn}{9550}", r"P<5\,\mathrm{kW}")[1] == "not judged"

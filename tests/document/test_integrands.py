@@ -1,4 +1,4 @@
-"""What is integrated, and the letter by which it is."""
+"""Integrands, and the variables of integration."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PRESSURE = r"""%% mechproof
         (r"\int_0^a2\pi r\,p(r)\,dr=\frac23\pi a^2q", "PROVED"),
         (r"F=\int_0^a2\pi r\,p(r)\,dr", "PROVED"),
         (r"F=\int_0^a\pi r\,p(r)\,dr", "REFUTED"),
-        # Of what depends on the letter by which is integrated nothing is known.
+        # s depends on the variable of integration, and nothing is known about how.
         (r"F=\int_0^as(r)\,dr", "not read"),
         (r"\int_0^as\,dr=as", "not read"),
     ],
@@ -47,7 +47,7 @@ MOTION = r"""%% mechproof
 @pytest.mark.parametrize(
     ("value", "taken_as_fixed", "outcome"),
     [
-        # What moves in time, and is not printed, is no constant.
+        # A letter that moves in time is not constant, though its argument is not printed.
         (r"\int_0^t\dot y\,dt", r"t\dot y", "not read"),
         (r"\int_0^t\ddot F\dot y\cdot dt", r"t\ddot F\dot y", "not read"),
         (r"\int_0^ts\,dt", "ts", "not read"),
@@ -93,14 +93,14 @@ INVOLUTE = r"""%% mechproof
 @pytest.mark.parametrize(
     ("latex", "outcome"),
     [
-        # The letter by which is integrated stands for the end, on which x and y depend.
+        # The variable of integration stands for the upper limit, on which x and y depend.
         (r"\int_0^t\sqrt{\dot x^2+\dot y^2}\,d\tau=\frac{rt^2}2", "PROVED"),
         (r"\int_0^t\sqrt{\dot x^2+\dot y^2}\,d\tau=rt^2", "REFUTED"),
         (r"\int_0^ty\,d\tau=2r-2r\cos t-rt\sin t", "PROVED"),
-        # It stands for nothing where the end is printed in the integrand.
+        # It does not where the upper limit itself appears in the integrand.
         (r"\int_0^t\frac yt\,d\tau=y", "PROVED"),
         (r"\int_0^rt\,d\tau=rt", "PROVED"),
-        # Nor where it is a letter of its own, which moves.
+        # Nor does it where it is a letter of its own that moves.
         (r"\int_0^tx\,ds=\int_0^tx\,dt", "not read"),
     ],
 )

@@ -1,4 +1,4 @@
-"""A draft of letters beside its paper: what words claim, and rows that are judged with it."""
+"""A draft of letters with its paper: claims made in words, and rows judged with the draft."""
 
 import re
 from pathlib import Path
@@ -118,7 +118,7 @@ $$Q_0^1=\begin{pmatrix}\cos\psi&\sin\psi\\-\sin\psi&\cos\psi\end{pmatrix}$$
 $$Q_1^2=\begin{pmatrix}\cos\nu&\sin\nu\\-\sin\nu&\cos\nu\end{pmatrix}$$
 $$Q_0^2=Q_0^1Q_1^2=\begin{pmatrix}\cos(\psi+\nu)&\sin(\psi+\nu)\\-\sin(\psi+\nu)&\cos(\psi+\nu)\end{pmatrix}$$
 """
-# Without the first superscripts those that are left may be powers.
+# Without the first superscripts, the remaining ones may be powers.
 SQUARED = FRAMED.replace("_0^1", "_0")
 
 CALLED = r"""

@@ -1,4 +1,4 @@
-"""What rests on a later case, on an equation that is not read, or on a letter that moves unsaid."""
+"""Rows that rest on a later case, an unread equation, or a letter not declared to move."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ PARABOLIC = ("#The parabolic law is", r"s=h\theta^2", "#with")
 LOADED = ("M=Fa", r"G=F\frac bl")
 IN_PARALLEL = ("#Springs in parallel have", "k=k_1+k_2")
 OPEN = "not judged"
-# Displays, with # words before them, and the outcomes of all.
+# Displays, with text before them marked by #, and the outcomes of all displays.
 PAPERS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "proved by a later case": (
         (*BEAM, WRONG, *MIDDLE),

@@ -1,4 +1,4 @@
-"""Laws by pieces, in one display or several: their derivatives and where they meet."""
+"""Piecewise laws, in one display or several: their derivatives, and where the pieces meet."""
 
 from __future__ import annotations
 
@@ -178,7 +178,7 @@ CASES = {
         ["DEFINITION", "DEFINITION"],
     ),
 }
-# What a block says besides.
+# Additional lines of the block of a case.
 SAID = {
     "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
     "values of a law by pieces": "%% where 0<k<u\n",

@@ -1,4 +1,4 @@
-"""A paper's own source as one of the papers of `verify` and `report`."""
+"""The source of a paper as an argument of `verify` and `report`."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def paper(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def write(file: Path, content: str) -> None:
     file.write_text(content)
-    # What is as young as the reading itself is not kept.
+    # A ledger is not cached if the file is as recent as the reading itself.
     before = time.time() - 10
     os.utime(file, (before, before))
 

@@ -1,4 +1,4 @@
-"""What a block says of prints that are no plain letters: other meanings in places, families."""
+"""Entries of a block for more than plain letters: meanings valid in a range, families."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_labels_may_name_the_ends_of_a_range() -> None:
     assert found == ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"]
 
 
-# Lines of a block with a name that no print can have, and what is told of it.
+# Lines of a block with a name that no print can have, and the message about it.
 FAULTY = {
     r"x^{{2} | x_0 : length": "",
     r"\dot{\text}{u} : speed": r"the name \dot{\text}{u}: a { is missing here; it is left out",
@@ -214,7 +214,7 @@ ADVICE = {
     r"\ddot x_1=2r": "If it is a derivative, say what x_1 depends on: x_1(t) : its meaning. ",
     "x=2r'": "If it is a derivative, say what r depends on: r(…) : its meaning. Otherwise: ",
     r"\frac{dx}{dr}=2r": "If x depends on r, say so in the block of letters: x(r) : its meaning. ",
-    # These depend on another letter, or are no letters.
+    # These depend on another letter, or are not declared as letters.
     r"\dot u=2r": r"Declare it in the block of letters: \dot u : its meaning",
     r"\dot w=2r": r"Declare it in the block of letters: \dot w : its meaning",
 }
@@ -239,7 +239,7 @@ MEMBERS = """%% mechproof
 @pytest.mark.parametrize(
     ("latex", "reason"),
     [
-        # What holds for each index is no fault of the print.
+        # An equation that holds for each index is not a fault of the print.
         ("d_i=mz_i", "for each i"),
         ("d_{bi}=cd_i", "for each i"),
         ("d_{b1}=cd_1", "d_{b1}, a member of a family: declare it as a letter"),

@@ -1,4 +1,4 @@
-"""Prints as notes in Markdown have them, each beside one that is wrong or means something else."""
+"""Prints typical of notes in Markdown, each with one that is wrong or means something else."""
 
 from __future__ import annotations
 

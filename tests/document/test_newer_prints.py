@@ -1,4 +1,4 @@
-"""Letters printed anew, special values and constraints of other cases: what rests on which."""
+"""Letters defined again, special values and constraints of other cases: what rests on which."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ SPRUNG = (
     "#The rod again has",
 )
 OPEN = "not judged"
-# Displays, with # words before them, and the outcome of the last one.
+# Displays, with text before them marked by #, and the outcome of the last display.
 PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
     "a rate by pieces of a newer print": (
         (*BEAM, r"\frac{dM}{dx}=\begin{cases}F&x<l/2\\-F&x>l/2\end{cases}"),
@@ -159,7 +159,8 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
 }
 
 
-# What a special value, a limit or another arrangement behind a row says nothing of.
+# Rows about which a later special value, limit or arrangement says nothing: the displays, the
+# index of the row, and its outcome.
 SPECIAL: dict[str, tuple[tuple[str, ...], int, str]] = {
     "a value at a place does not accuse what stands before it": (
         (

@@ -1,4 +1,4 @@
-"""Numbers beside letters: compared at sizes, in the units of their letters."""
+"""Numbers equated to letters: compared at the sizes, in the units of their letters."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def test_a_formula_may_turn_revolutions_itself_and_others_rest_on_it(
     assert check("paper.tex", text).rows[-1].outcome == outcome
 
 
-# Prints, and what becomes of each: an angle and its tangent, a size before its formula.
+# Prints and their outcomes: an angle and its tangent, a size printed before its formula.
 TANGENTS = [
     ([r"\tan\beta=\frac rl", r"\beta=18.4^\circ"], ["DEFINITION", "PROVED"]),
     ([r"\tan\beta=\frac rl", r"\beta=14.8^\circ"], ["DEFINITION", "REFUTED"]),
@@ -249,7 +249,7 @@ RATE = r"R=\frac{Gd^4}{8D^3i}=12.07\,\mathrm{N/mm}"
 RATIO = r"w=\frac Dd=7.5"
 ENERGY = r"W=\frac{F^2}{2R}="
 AGREES = "it agrees with the rounded numbers that are printed, R of (1); unrounded ones give 3"
-# Prints, and what becomes of the last number.
+# Prints, and the reason given for the last number.
 ROUNDED = [
     ([RATE, ENERGY + r"3727\,\mathrm{N\,mm}"], "recomputed 3726.99"),
     ([RATE, ENERGY + r"3728\,\mathrm{N\,mm}"], AGREES),
@@ -257,7 +257,7 @@ ROUNDED = [
     ([RATE, ENERGY + r"3782\,\mathrm{N\,mm}"], "recomputed 3726.99, printed 3782"),
     ([ENERGY + r"3728\,\mathrm{N\,mm}", RATE], "recomputed 12.0741"),
     ([RATE.partition("=12")[0], ENERGY + "3728"], "recomputed 3726.99, printed 3728"),
-    # What is exact was not rounded.
+    # An exact number was not rounded.
     ([RATIO, r"s=dw=30.2\,\mathrm{mm}"], "recomputed 30, printed 30.2"),
     ([RATIO.replace("7.5", "7.6"), r"s=dw=30.4\,\mathrm{mm}"], "it agrees with the rounded"),
 ]
@@ -272,7 +272,7 @@ def test_a_number_may_rest_on_rounded_ones(equations: list[str], reason: str) ->
     assert row.outcome == ("not judged" if reason.startswith("it agrees") else outcome)
 
 
-# Prints, and what becomes of the last one: where decimals have points, a comma parts thousands.
+# Prints, and the outcome of the last one: where decimals have points, commas separate thousands.
 COMMAS = [
     ([r"\frac12=0.5", r"10^3=1{,}000"], "PROVED"),
     ([r"\frac12=0.5", r"10^3=1{,}001"], "REFUTED"),
@@ -301,7 +301,7 @@ A rod of $d=16$ mm carries $F=20$ kN.
 \begin{equation}A=\frac{\pi d^2}4=201\,\mathrm{mm^2}\end{equation}
 """
 AREA, STRESS = r"A=\frac{\pi d^2}4={}\,\mathrm{mm^2}", r"\sigma=\frac FA={}\,\mathrm{MPa}"
-# Words, what is printed behind them, its number, and what becomes of it.
+# Words, the print after them, its number, and its outcome.
 RESTATED = [
     ("With $d=20$ mm we have", AREA, "314", "PROVED"),
     ("With $d=2$ cm we have", AREA, "314", "PROVED"),
@@ -330,7 +330,7 @@ def test_words_may_state_a_size_anew(words: str, latex: str, number: str, outcom
 
 
 FEW = "the value at the sizes is 2; a number of so few digits may be rounded, or meant for others"
-# Numbers of one digit, and what is said of them.
+# Numbers of one digit or two, their outcome, and the reason given.
 DIGITS = [
     ("k=2", "PROVED", "recomputed 2"),
     ("k=3", "not judged", FEW),

@@ -1,4 +1,4 @@
-"""Equations between numerical values, which hold for numbers in the units of their letters."""
+"""Equations between numerical values: they hold for numbers in the units of their letters."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ CASES = {
     r"v=\frac QA=\frac Q{6A}": ("PROVED", "REFUTED"),
     r"v=\frac QA=\frac{6Q}A": ("REFUTED", "REFUTED"),
     r"v=\frac QA=\frac Q{7A}": ("REFUTED", "REFUTED"),
-    # Turns are either counted or radians, on both sides.
+    # Turns are either counted or in radians, and alike on both sides.
     r"P=M\Omega=2\pi M\Omega": ("REFUTED", "REFUTED"),
     r"P=2\pi Mn=Mn": ("REFUTED", "REFUTED"),
     r"v=\pi dn=2\pi^2dn": ("REFUTED", "REFUTED"),
@@ -57,7 +57,7 @@ def test_a_factor_may_turn_units(latex: str) -> None:
         assert judge_parts(f"%% mechproof\n{letters}%% end\n", latex)[-1] == outcome
 
 
-# Definitions, and what follows from them as numbers, right and wrong.
+# Definitions, and consequences for numbers in the letters' units, right and wrong.
 FLOW = (r"P=pQ=\frac{pQ}{600}", r"Q=Vn=\frac{Vn}{1000}")
 POWER = (r"v=\omega\frac d2", r"M=\frac{Fd}2", r"P=M\omega")
 RIM = (r"v=\frac{\pi dn}{60\,000}", r"\omega=\frac{2\pi n}{60}")
@@ -75,7 +75,7 @@ CHAINS = [
 ]
 
 
-# A factor that is rounded is left open, and proves no other one.
+# A rounded factor is left open, and proves no other factor.
 @pytest.mark.parametrize("factors", [("9549", "9594"), ("9550", "9950")])
 def test_a_rounded_factor_proves_no_other(factors: tuple[str, str]) -> None:
     block = f"%% mechproof\n{LETTERS}%% end\n"

@@ -1,4 +1,4 @@
-"""Displays of packages and of old TeX: how they are read, numbered and judged."""
+"""Displays of packages and of plain TeX: how they are read, numbered and judged."""
 
 from __future__ import annotations
 
@@ -202,11 +202,11 @@ UNREAD = {
     r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
     r"\sqrt{x^2}=x\quad\text{unless $x<0$}": "unless",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
-    # What denies an equation, and what may be a unit.
+    # Remarks that deny an equation, and words that may be units.
     r"x=y\quad\text{(a contradiction)}": "is not understood",
     r"x=2y\quad\text{(kilometers)}": "is not understood",
     r"x=25\quad\text{(percent)}": "is not understood",
-    # Of equation (1).
+    # The (1) may refer to equation (1).
     r"x=y-2(1)": "the number, or the equation that has it?",
 }
 

@@ -1,4 +1,4 @@
-"""Prints that one change would make true, beside constraints, and true ones that look alike."""
+"""Prints that one change would make true, given constraints, and true ones that look alike."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ FOUR_BAR = (
     r"n=\frac{r}{l_2}",
     r"u=\frac{l_1^2-l^2+l_2^2+r^2}{2l_1l_2}",
 )
-# What is printed before, a true print, and wrong ones.
+# The prints before, a true print, and wrong ones.
 PAPERS: dict[str, tuple[tuple[str, ...], str, list[str]]] = {
     "a factor on the other side of the bar": (
         (r"k\tan\beta=n", "T_1=uw_1"),
@@ -120,13 +120,13 @@ WRONG = [
     ACCELERATION.replace(r"\cos(q_1-\alpha)", r"\sin(q_1-\alpha)"),
     ACCELERATION.replace(r"-l_2\dot q_2^2", r"+l_2\dot q_2^2"),
 ]
-# Rows that follow from the loop tell that it is no other case.
+# Rows that follow from the loop show that it is not another case.
 PAPERS["an acceleration"] = (*LOOP, *RATES), ACCELERATION, WRONG
 JOINT = PAPERS["a joint"][0]
 CENTRE = (ROD, SLIDER, r"\alpha=-\beta", "x=u", "u^2=(r+l)^2")
 INLINE = (*FOUR_BAR[:2], r"q_1=\alpha", r"(l_1+l)^2=l_2^2+r^2+2rl_2\cos q_2")
-# Papers with a wrong print, and those of which a change of either would make both true: that is no
-# reason to accuse one of them.
+# Papers with a wrong print, and the two rows of which a change in either would make both true:
+# neither is accused.
 CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
     "a joint, letters exchanged": (
         (*JOINT, r"\tan\beta=\cos\gamma\tan\alpha"),
@@ -140,7 +140,7 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
         (*FOUR_BAR, r"m\cos q_2-n\cos q_1+u=\cos(q_1+q_2)"),
         ["(2)", "(6)"],
     ),
-    # Nothing else is printed that follows from the loop, or what does comes before it.
+    # No other print follows from the loop, or those that do come before it.
     "an acceleration alone": ((*LOOP, WRONG[0]), ["(1)", "(3)"]),
     "a dead centre": (CENTRE, []),
     "a dead centre, wrong": ((*CENTRE[:2], r"\alpha=\beta", *CENTRE[3:]), ["(1)", "(3)"]),
@@ -151,14 +151,14 @@ CONTRADICTIONS: dict[str, tuple[tuple[str, ...], list[str]]] = {
     ),
 }
 LONG = ("a sign of an angle", "an acceleration alone", "crank and coupler in line, wrong")
-# Prints, and what is said before the last one or in the block: none is accused.
+# Prints, the words before the last one, and additional lines of the block: none is accused.
 EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
     "another letter": (("k=mn", "k=mu"), "", ""),
     "another circuit, printed alike": ((ROD, r"r\sin\alpha=-l\sin\beta"), "", ""),
     "another assembly, in words": ((*TRAIN, "T_1+T_2-T_3=0"), "In the other case", ""),
     "a constraint, the block says": ((*TRAIN, "T_1+T_2-T_3=0"), "", "%% constraint (4)\n"),
     "a letter of its own": ((*TRAIN, r"T_1+T_2=m"), "", ""),
-    # x_0 is where it holds, no slip of x.
+    # x_0 is the place where it holds, not a slip for x.
     "a zero, and where it is": (
         (r"y=r+\frac{x^2}{l}", r"x_0=\sqrt{rl}", "y=2r", "x^2-rl=0"),
         "",
@@ -172,7 +172,7 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
         "",
         "",
     ),
-    # The misprint is the first one's, which was not seen where angles are positive alone.
+    # The misprint is in the first print; it was not seen at positive angles alone.
     "an offset, of which the derivative is printed": (
         (
             r"r\sin\alpha=l\sin\beta+2l_1",
@@ -192,7 +192,7 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
         r"From here on $\alpha$ is measured in the opposite sense.",
         "",
     ),
-    # With one change of what was differentiated the acceleration would not matter.
+    # With one change in the differentiated print, the acceleration would not matter.
     "constant speed, in words": (
         (r"y=r\sin\alpha\cos\alpha", r"m=\dot\alpha", r"\ddot y=-2rm^2\sin2\alpha"),
         "",
@@ -208,7 +208,7 @@ EXCUSED: dict[str, tuple[tuple[str, ...], str, str]] = {
 
 
 def judge(equations: tuple[str, ...], words: str = "", block: str = "") -> CheckedRow:
-    """Return the last row of a paper."""
+    """Return the last row of a paper that has `words` before its last equation."""
     shown = [f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations]
     text = "".join([*shown[:-1], words, " ", shown[-1]])
     return check("paper.tex", f"{BLOCK}{block}%% end\n{text}").rows[-1]
@@ -282,7 +282,7 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     def answer(at: Judging, judge: Any, arguments: Any) -> Iterator[tuple[Any, Any]]:
         if judge is judge_beside:
             asked.append(arguments)
-        # First it is asked what follows from constraints, then without which of them it does not.
+        # First it is asked what follows from the constraints, then which of them that needs.
         if judge is judge_beside and len(asked) > 1:
             return ((one, WorkerError("no answer")) for one in arguments)
         return ask(at, judge, arguments)
@@ -310,16 +310,16 @@ SPEED = r"\dot\alpha=2\pi w_1"
         ((ROD, COSINE), "", 1, "DEFINITION"),
         ((ROD, COSINE.replace(r"=\sqrt", r"=-\sqrt")), ACUTE, 1, "REFUTED"),
         ((ROD, COSINE.replace("1-", "1+")), ACUTE, 1, "REFUTED"),
-        # The rod may have the misprint as well.
+        # The misprint may also be in the equation of the rod.
         ((ROD, COSINE.replace(r"\sin^2", r"\cos^2")), ACUTE, 1, "not judged"),
-        # What is compared may have the root, too.
+        # The sides compared may contain the root, too.
         (
             (ROD, COSINE, "x=" + SLIDER[2:] + r"=r\cos\alpha+\sqrt{l^2-r^2\sin^2\alpha}"),
             ACUTE,
             3,
             "PROVED",
         ),
-        # That a speed is given later by a letter of its own is no excuse.
+        # A later definition of a speed by a letter of its own is no excuse.
         ((ROD, RATE, SPEED), ACUTE, 1, "PROVED"),
         ((ROD, RATE.replace(r"\cos\alpha", r"\sin\alpha"), SPEED), ACUTE, 1, "REFUTED"),
         ((ROD, RATE.replace(r"\cos\alpha", r"\sin\alpha"), SPEED), ACUTE, 2, "DEFINITION"),
@@ -342,15 +342,15 @@ DRIVEN = ("#If the worm drives, the force is", r"w_1=\frac{2T_1}{r}", "#The torq
 @pytest.mark.parametrize(
     ("parts", "number", "outcome"),
     [
-        # What is printed later of a letter puts no other letters into what stands before.
+        # A later print about a letter puts no other letters into earlier rows.
         ((*RISE, r"\dot y=-r\dot\alpha\sin\alpha", *STEADY), 2, "PROVED"),
         ((*RISE, r"\dot y=-r\dot\alpha\cos\alpha", *STEADY), 2, "REFUTED"),
         ((*RISE, r"\dot x=-\dot y\cot\alpha", *STEADY), 2, "PROVED"),
-        # What is introduced in a case is meant by that wherever it is printed.
+        # A letter introduced in a case keeps its meaning wherever it is printed.
         ((*DRIVEN, r"w_3=w_2n=\frac{2knT_1}{r}"), 3, "PROVED"),
         ((*DRIVEN, r"w_3=w_2n=\frac{knT_1}{r}"), 3, "REFUTED"),
         ((*DRIVEN, "#In general", r"w_3=w_2n=\frac{knT_1}{r}"), 3, "not judged"),
-        # By a letter of its own a constraint says nothing of others.
+        # A constraint with a letter of its own says nothing about other letters.
         ((r"mu+nT_1=0", r"x=kn^2=k^2n"), 2, "REFUTED"),
     ],
 )
@@ -376,7 +376,7 @@ LEVER = r"T_1=\frac{mw_2}{nw_1\tan(\alpha+\beta)}=\frac{\tan\alpha}{\tan(\alpha+
         ((*THREAD, SLIDING.replace(r"\tan", r"\cot")), 3, "DEFINITION"),
         ((*THREAD, LEVER), 4, "PROVED"),
         ((*THREAD, LEVER.replace(r"{\tan\alpha}", r"{\tan\beta}")), 4, "not judged"),
-        # The derivatives of members that are equal somewhere are not.
+        # Members that are equal somewhere need not have equal derivatives.
         (
             (r"x=l=r\cos\alpha", r"\dot x=-r\dot\alpha\sin\alpha", r"\dot x=r\dot\alpha\sin\alpha"),
             3,
@@ -452,8 +452,8 @@ def test_a_misprint_is_told_with_what_mends_it() -> None:
     assert judge((*before, wrong)).reason.endswith("; compared with (1), (2)")
 
 
-# The theorem of cosines, what it is brought to, and the root of it: which print is wrong, and with
-# how many others it is seen which.
+# The law of cosines, its rearrangements and its root: which print is wrong is seen only with enough
+# others.
 STEPS = (
     r"l^2=r^2+x^2-2rx\cos\gamma",
     r"l^2-r^2+r^2\cos^2\gamma=(x-r\cos\gamma)^2",
@@ -474,7 +474,7 @@ WRONG_STEP = STEPS[2].replace(r"\sin^2", r"\cos^2")
         ((*STEPS[:3], ROOT), "", ["(4)"], []),
         ((*STEPS[:3], ROOT), "In the other case", [], ["(1)", "(4)"]),
         ((*STEPS[:2], WRONG_STEP, STEPS[3]), "", [], ["(3)", "(4)"]),
-        # An identity is true of any letter: it supports no definition.
+        # An identity is true for any letter, so it supports no definition.
         ((STEPS[0], SQUARE, MINUS), "", [], ["(1)", "(3)"]),
         ((STEPS[0], ROOT), "", [], ["(1)", "(2)"]),
         ((WRONG_STEP, STEPS[3]), "", [], ["(1)", "(2)"]),
@@ -490,7 +490,7 @@ def test_the_rest_tells_whether_a_definition_or_what_it_contradicts_is_wrong(
     assert [row.name for row in rows if "contradict each other" in row.reason] == contested
 
 
-# A loop, what follows from it, and another print of the same angle between them.
+# A loop, a consequence of it, and another print of the same angle between them.
 ROOT_OF_ROD = r"\cos\beta=\sqrt{1-\frac{r^2}{l^2}\sin^2\alpha}"
 WRONG_ROOT = ROOT_OF_ROD.replace(r"\sin", r"\cos")
 
@@ -501,7 +501,7 @@ WRONG_ROOT = ROOT_OF_ROD.replace(r"\sin", r"\cos")
     [
         ((ROD, r"\sin\beta=\frac rl\cos\alpha", ROOT_OF_ROD), ["(2)"], []),
         ((ROD, r"\sin\beta=\frac rl\sin\alpha", ROOT_OF_ROD), [], []),
-        # Nothing else tells which it is, or what follows comes of what is printed last.
+        # Nothing else shows which one is wrong, or the consequence comes from the last print.
         ((r"\sin\beta=\frac rl\cos\alpha", ROOT_OF_ROD), [], ["(1)", "(2)"]),
         (
             (SLIDER, ROD, WRONG_ROOT, r"x=r\cos\alpha+\sqrt{l^2-r^2\cos^2\alpha}"),

@@ -1,4 +1,4 @@
-"""Points at which constraints hold, what fails there, and slips of numbers."""
+"""Points at which constraints hold, equations that fail there, and slips in numbers."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_points_are_enclosed_where_a_constraint_has_a_zero() -> None:
     assert found is not None
     assert found[X].rad() < 1e-15
     assert enclose([circle], {**point, X: point[X] + sp.Rational(1, 10**6)}) is None
-    # Near a double zero nothing shows that there is any.
+    # Near a double zero nothing shows that a zero exists.
     assert enclose([X**2 + sp.Rational(1, 10**30)], {X: sp.Rational(1, 10**9)}) is None
 
 

@@ -1,4 +1,4 @@
-"""Letters that nobody declared and that are printed as matrices are: no verdict rests on them."""
+"""Undeclared letters that are printed like matrices: no verdict rests on them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mechproof.document.checking import check
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 OPEN, GIVEN, PROVED, REFUTED = "not judged", "DEFINITION", "PROVED", "REFUTED"
-# What holds for numbers, and what for none.
+# A definition, an expansion that holds for numbers, and one that holds for none.
 PRODUCTS = "P=(A+B)^2", "P=A^2+2AB+B^2", "P=A^2+AB+B^2"
 SHOWN = [
     "[A]=[C][D]",

@@ -1,4 +1,4 @@
-"""Rows that are one with a slip beside what is proved: they are no constraints."""
+"""Rows that differ from a proved row by one slip: they are not constraints."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ CASES = {
         [PROVED, PROVED, OPEN],
     ),
     "the right print again": ([*LOOP, TANGENT.format("-"), TANGENT.format("-")], [PROVED, PROVED]),
-    # What ties other letters, or says more, is a constraint.
+    # A row that ties other letters, or says more, is a constraint.
     "a further constraint": (
         [*LOOP, TANGENT.format("-"), r"r\cos\varphi+l\cos\psi=2a\sin\varphi"],
         [PROVED, GIVEN],

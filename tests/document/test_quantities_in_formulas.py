@@ -1,4 +1,4 @@
-"""Numbers with units beside letters: quantities, whatever units the letters are declared in."""
+"""Numbers with units next to letters: quantities, whatever units the letters are declared in."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ ROWS = {
     r"{\mathrm{mm}^2}": "PROVED",
     r"(\epsilon^2+1)\cdot5\,\mathrm{GPa}\ge5000\,\mathrm{MPa}": "PROVED",
     r"(\epsilon^2+1)\cdot5\,\mathrm{GPa}<4\,\mathrm{GPa}": "REFUTED",
-    # Metres beside metres by the second, and beside kilograms.
+    # Sums and comparisons of different dimensions.
     r"s=vt+5\,\mathrm{mm}=v+5\,\mathrm{mm}": "ILL_FORMED",
     r"F=m\cdot10\,\mathrm{m/s^2}=m+10\,\mathrm{m/s^2}": "ILL_FORMED",
     r"(\epsilon^2+1)\cdot5\,\mathrm{GPa}\ge5000\,\mathrm{mm}": "not judged",
-    # Of no letter without a unit is it known what it counts; no zero is that of degrees Celsius.
+    # A letter without a unit may be in any; degrees Celsius have a zero of their own.
     r"k=m\cdot5\,\mathrm{mm}=5m\,\mathrm{mm}": "not read",
     r"t=v\cdot20\,^\circ\mathrm C": "not read",
 }
-# What the words before an equation say, and its number.
+# Equations with numbers, after words that state the sizes.
 CALCULATED = {
     rf"F=m\cdot{G}=98.1\,\mathrm N": "PROVED",
     rf"F=m\cdot{G}=0.0981\,\mathrm{{kN}}": "PROVED",

@@ -1,4 +1,4 @@
-"""Sizes that are printed again: what differs without words that say why is left open."""
+"""Sizes printed again: a difference that no words explain is left open."""
 
 from __future__ import annotations
 

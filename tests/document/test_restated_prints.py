@@ -1,4 +1,4 @@
-"""Velocities and accelerations of a loop, compared with what is proved of the position."""
+"""Velocities and accelerations of a loop, compared with proved prints of the position."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ ACCELERATION = (
 SLOW, ROUGH = VELOCITY.replace("{2", "{3"), ACCELERATION.replace("^{3/2}", "^{1/2}")
 SHORT = r"\ddot x=-r\omega^2(\cos\varphi+\lambda\cos2\varphi)"
 OPEN = "not judged"
-# Equations, the outcome of the last one, and what its reason says.
+# Equations, the outcome of the last one, and a part of its reason.
 PAPERS = {
     "a velocity": ((*LOOP, ANGLE, POSITION, VELOCITY), "PROVED", ""),
     "a wrong velocity": ((*LOOP, ANGLE, POSITION, SLOW), "REFUTED", "compared with (4)"),

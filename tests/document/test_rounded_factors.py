@@ -1,4 +1,4 @@
-"""Decimals beside letters: a factor that was rounded is recomputed, others are left open."""
+"""Decimals next to letters: a factor that was rounded is recomputed, others are left open."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ BLOCK = r"""%% mechproof
 DIAGONAL = r"\begin{equation}c=\sqrt2a\end{equation}"
 HEIGHT = r"\begin{equation}b=\frac{\sqrt3}2a\end{equation}"
 OPEN = "not judged"
-# A print behind the definitions, and its outcome.
+# A print after the definitions, and its outcome.
 PRINTS = {
     "two digits": ("c=1.41a", "PROVED"),
     "three digits, turned around": (r"1.414\,a=c", "PROVED"),

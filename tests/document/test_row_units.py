@@ -1,4 +1,4 @@
-"""Dimensions of rows of which some letters have no unit: what has units is judged by itself."""
+"""Dimensions of rows in which some letters have no unit: parts with units are judged alone."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MIXED = [
     r"y=l\omega t+\sin\frac rl+c",
     "c+r+l^2=y",
 ]
-# Numbers may have units that are not printed, and bound letters those of others.
+# Numbers may have units that are not printed, and bound letters may have those of others.
 OTHER = [
     "y=r+l",
     "y=r+cl^2",

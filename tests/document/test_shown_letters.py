@@ -1,4 +1,4 @@
-"""Answers show letters as they are printed, whatever their accents, scripts and alphabets are."""
+"""Answers show letters as they are printed, whatever their accents, scripts and alphabets."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LETTERS = (
     *(r"\hat a", r"\tilde{b}_1", r"\bar c'", r"\vec q", r"\mathcal L", r"\boldsymbol\alpha"),
     *(r"\omega_{12}", r"\lambda_{\mathrm{max}}", r"{}^0_1g", r"\overline{AB}", r"E^*", r"\varphi"),
 )
-# Letters k, m, n and u, and @ for the one that is looked for; t is the time.
+# Letters k, m, n and u, and @ for the letter under test; t is the time.
 PAPERS = {
     "a letter is printed again": (r"k=2@", r"k=3@"),
     "a letter is used once": (r"@=2k+1",),
@@ -43,12 +43,12 @@ TABLE = "\\begin{tabular}{cc}$m$&$m/@$\\\\1&2\\\\3&4\\end{tabular}"
 BLOCK = "%% mechproof\n%% @ : one letter\n%% k ; m ; n ; u : others\n%% end\n"
 
 
-# What answers quote.
+# Fields in which answers quote the paper.
 QUOTED = ("latex", "printed", "printed_latex", "name", "number", "id")
 
 
 def list_texts(part: object) -> list[str]:
-    """Return what an answer says, without what it quotes."""
+    """Return all texts of an answer, except those of the fields in `QUOTED`."""
     if isinstance(part, dict):
         said = {key: value for key, value in part.items() if key not in QUOTED}
         return [*said, *(text for value in said.values() for text in list_texts(value))]
@@ -58,7 +58,7 @@ def list_texts(part: object) -> list[str]:
 
 
 def tell(letter: str, block: str, *lines: str) -> str:
-    """Return all that is said of a paper."""
+    """Return all that is said about a paper in which `letter` replaces each @."""
     found = check("paper.tex", (block + "\n".join(lines)).replace("@", letter))
     said = [text for _, text in found.told]
     return "\n".join([*list_texts(json.loads(rows_to_json(found.rows))), *said])

@@ -1,4 +1,4 @@
-"""Tables of sizes and results: which are read, what each result becomes, who is not accused."""
+"""Tables of sizes and results: which are read, and which outcome each result has."""
 
 from __future__ import annotations
 
@@ -309,7 +309,7 @@ POSITION = r"Hence $$x=r\cos\varphi+\sqrt{l^2-r^2\sin^2\varphi}$$ "
 WRONG = POSITION.replace("l^2-", "l^2+")
 X = tabular(r"$\varphi$ [$^\circ$] & $x$ [mm]", "0 & 200.0", "30 & 193.4", "60 & 176.3")
 FORCE = tabular(r"$\varphi$ [$^\circ$] & $F$ [N]", "0 & 400.0", "30 & 386.8", "60 & 352.9")
-# The position by an angle that no table has, and by that of the crank alone: what a column becomes.
+# The position by an angle that is in no table, and by the crank's alone: the outcomes of a column.
 RESTATED = {
     "what is proved": (RANGE, ROD + POSITION + X, ["PROVED", "PROVED", "REFUTED"]),
     "of another letter": (

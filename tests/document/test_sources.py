@@ -1,4 +1,4 @@
-"""Files of a paper: what they input, where the block of letters stands, what is refused."""
+"""Files of a paper: what they input, where the block of letters is, what is refused."""
 
 from __future__ import annotations
 
@@ -167,7 +167,7 @@ UNITS = {
     "N m^{-3/2}": Dimension(length=Fraction(-1, 2), mass=1, time=-2),
     "J/(mol K)": Dimension(length=2, mass=1, time=-2, temperature=-1, amount=-1),
 }
-# Both have one dimension.
+# Pairs of equal units.
 ALIKE = {
     "V A": "W",
     "Ω": "V/A",
@@ -209,7 +209,7 @@ def test_a_draft_is_read_as_it_comes(name: str, tmp_path: Path) -> None:
     text = "\nThe radius $r$ of the wheel.\n$$u=2\\pi r$$\n"
     block = draft_block(read_source(name, text))
     assert any("radius" in line.string for line in read_source(name, f"{block}{text}").lines)
-    # So it is in a file of its own.
+    # The same holds in a file of its own.
     (tmp_path / name).write_text(text)
     (tmp_path / "a.letters").write_text(block)
     beside = read_source(str(tmp_path / name))

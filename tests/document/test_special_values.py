@@ -42,7 +42,7 @@ CASES = {
     r"\lim_{\psi\to0}\frac{h-a}{b}=1": ["PROVED"],
     r"\lim_{\psi\to0}\frac{h-a}{b}=2": ["DEFINITION"],
     r"\lim_{\psi\to0}h=a+b": ["PROVED"],
-    # By increments a derivative is defined.
+    # A derivative is defined by increments.
     r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta\psi}=h'": ["PROVED"],
     r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta\psi}=-b\sin\psi": ["not judged"],
     r"\lim_{\Delta\psi\to0}\frac{\Delta h}{\Delta a}=0": ["not read"],
@@ -58,10 +58,10 @@ CASES = {
     r"k=h(0)=a+b": ["DEFINITION", "PROVED"],
     r"h(\psi=0)=a+b,\ h'(\psi=0)=0": ["PROVED", "PROVED"],
     r"h(\psi=\pi)=a+b": ["REFUTED"],
-    # Behind a gap it is a condition, of another letter no place.
+    # After a gap it is a condition; for another letter it is not a place.
     r"h=b-a\quad(\psi=\pi)": ["PROVED"],
     r"h(c=0)=a\cos\psi+b": ["not read"],
-    # A place that is counted from any.
+    # A place at a distance from an arbitrary one.
     r"z(t+\frac{2\pi}\nu)=z(t)": ["PROVED"],
     r"z(t+\frac\pi\nu)=-z(t)": ["PROVED"],
     r"z(t+\frac\pi\nu)=z(t)": ["REFUTED"],
@@ -117,7 +117,7 @@ CASES = {
     r"\max_k(2k-k^2)=1": ["PROVED"],
     r"\max_k(2k-k^2)=0": ["REFUTED"],
     r"\max_c(a-c)=a": ["PROVED"],
-    # It is steady beyond the end.
+    # The stationary point lies beyond the end of the range.
     r"\max_k(6k-k^2)=8": ["PROVED"],
     r"\max_k(6k-k^2)=9": ["REFUTED"],
     r"\min_k(2k-k^2)=0": ["PROVED"],
@@ -135,11 +135,11 @@ CASES = {
     r"\max_\psi(a\cos(\psi+\alpha)+d\sin\psi)=\sqrt{a^2+d^2-2ad\sin\alpha}": ["PROVED"],
     r"\max_\psi(a\cos(\psi+\alpha)+d\sin\psi)=\sqrt{a^2+d^2-2ad\cos\alpha}": ["REFUTED"],
     r"\max_t\dot z=\sqrt{a^2\nu^2}": ["PROVED"],
-    # Two waves, a product of them, and a value that no one place has.
+    # Two waves, a product of waves, and waves of a letter with a range.
     r"\max_\psi(a\cos\psi+d\sin2\psi)=\sqrt{a^2+d^2}": ["UNDECIDED"],
     r"\max_\psi(a\cos\psi\sin\psi)=\frac a3": ["UNDECIDED"],
     r"\max_k(\cos k+\sin k)=\sqrt2": ["UNDECIDED"],
-    # What bounds it is proved, and differs.
+    # The extreme value is proved, and differs from the printed one.
     r"\max_k(2k-k^2)=2": ["REFUTED"],
     r"\max_\psi a\sin^2\psi=a": ["PROVED"],
     r"\max_\psi a\sin^2\psi=2a": ["REFUTED"],
@@ -167,7 +167,7 @@ TURNS = r"""%% mechproof
 %% p ; q : numbers
 %% end
 """
-# What a function without brackets takes, and what it cannot be told to take.
+# The arguments of functions without brackets: those that are clear, and those that are not.
 PHASES = {
     r"\cos2N\psi=1-2\sin^2N\psi": ["PROVED"],
     r"\cos N\psi=\cos(\psi N)": ["PROVED"],
@@ -234,7 +234,7 @@ SIZES = r"""%% mechproof
 %% sizes r=80 mm, l=202 mm
 %% end
 """
-# The number behind what is printed, and what becomes of it.
+# Prints that end in a number, and its outcome.
 NUMBERS = {
     r"x=r+l=28.2\,\mathrm{cm}": "PROVED",
     r"x=r+l=28.2\,\mathrm{m}": "REFUTED",
@@ -265,7 +265,7 @@ NUMBERS = {
     r"r+2l=485": "REFUTED",
     r"r+l=282000\,\mu\mathrm{m}": "PROVED",
     r"r+l=282001\,\mu\mathrm{m}": "REFUTED",
-    # Without sizes it is one itself.
+    # Without sizes for all its letters, the print states a size itself.
     r"l-x=20.2\,\mathrm{mm}": "DEFINITION",
     r"l-x=20.2": "DEFINITION",
     r"l-x=20.2\,\mathrm{N}": "not judged",
@@ -273,11 +273,11 @@ NUMBERS = {
     r"\alpha=\arctan\frac rl=21.61": "PROVED",
     r"\alpha=\arctan\frac rl=0.3771": "PROVED",
     r"\alpha=\arctan\frac rl=201.6": "PROVED",
-    # Half a turn of 3.14 degrees.
+    # Off by 3.14 degrees, which is not half a turn.
     r"\alpha=\arctan\frac rl=24.75": "REFUTED",
     r"\alpha=\arctan\frac rl=18.46": "REFUTED",
     r"\alpha=\arctan\frac rl=201.6^\circ": "PROVED",
-    # Degrees that are said to be radians.
+    # Degrees that are printed as radians.
     r"\alpha=\arctan\frac rl=21.61\,\mathrm{rad}": "REFUTED",
     r"\alpha=\arctan\frac rl=0.3771\,\mathrm{rad}": "PROVED",
 }
@@ -317,7 +317,7 @@ def test_numbers_at_a_place_are_compared_at_the_sizes(latex: str) -> None:
     assert row.outcome == AT_A_PLACE[latex]
 
 
-# What stands behind two sizes that are printed, and what becomes of it.
+# Displays after two printed sizes, and the outcome of the last one.
 PRINTED = r"$$r=80\,\mathrm{mm},\qquad l=20.2\,\mathrm{cm}$$"
 AT_PRINTED = {
     r"$$(r+l)/2=141\,\mathrm{mm}$$": "PROVED",
@@ -326,13 +326,13 @@ AT_PRINTED = {
     r"$$r/l=0.369$$": "REFUTED",
     r"$$x=\frac{rl}{r+l}=57.3\,\mathrm{mm}$$": "PROVED",
     r"$$x=\frac{rl}{r+l}=53.7\,\mathrm{mm}$$": "REFUTED",
-    # 20.2 cm may be 201.6 mm.
+    # 20.2 cm may be rounded from 201.6 mm.
     r"$$r/l=0.3968$$": "not judged",
-    # It may be said of another example.
+    # After a new formula, the number may belong to another example.
     r"$$x=2r$$ $$r/l=0.396$$": "PROVED",
     r"$$x=2r$$ $$r/l=0.369$$": "not judged",
     r"$$r+l=282\,\mathrm{mm}$$ $$r/l=0.369$$": "REFUTED",
-    # Two sizes of one letter are none.
+    # Two sizes of one letter count as none.
     r"$$r=70\,\mathrm{mm}$$ $$r/l=0.369$$": "DEFINITION",
     r"$$r=8\,\mathrm{cm}$$ $$r/l=0.369$$": "REFUTED",
 }
@@ -402,7 +402,7 @@ def test_a_rate_may_be_zero_of_what_moves_at_constant_speed(latex: str, expected
         (HELD, r"i=\frac{n_1}{n_3}=1-i_0", "PROVED"),
         (HELD, r"i=\frac{n_1}{n_3}=1+i_0", "REFUTED"),
         ("Otherwise", r"i=\frac{n_1}{n_3}=1-i_0", "not judged"),
-        # What was said before another equation is said of that.
+        # Words before another equation apply to that one.
         (
             rf"{HELD} $$n_1=\left(1-i_0\right)n_3$$ In general",
             r"i=\frac{n_1}{n_3}=1-i_0",
@@ -410,13 +410,13 @@ def test_a_rate_may_be_zero_of_what_moves_at_constant_speed(latex: str, expected
         ),
         ("Then", r"i=\frac{n_1}{n_3}=1-i_0,\qquad n_2=0", "PROVED"),
         ("Then", r"i=\frac{n_1}{n_3}=1+i_0,\qquad n_2=0", "REFUTED"),
-        # It follows from the constraint there.
+        # It follows from the constraint in that case.
         (HELD, r"i=\frac{n_1}{n_3}=1+\frac{z_2}{z_1}", "PROVED"),
         (HELD, r"i=\frac{n_1}{n_3}=1-\frac{z_2}{z_1}", "not judged"),
         # A letter that is printed again.
         ("With the arm held ($n_3=0$)", r"i=\frac{n_1}{n_2}=i_0", "PROVED"),
         ("With the arm held ($n_3=0$)", r"i=\frac{n_1}{n_2}=-i_0", "REFUTED"),
-        # It holds in general, and is not said of this.
+        # It holds in general, not only in the case stated.
         (HELD, r"i=1-i_0=\frac{n_2-n_1}{n_2-n_3}", "PROVED"),
     ],
 )
@@ -447,7 +447,7 @@ RESONANCE = (r"r=\frac{k\eta^2}{1-\eta^2}", r"\eta=\frac uv", r"s=\frac{\eta+u}u
     [
         (r"\lim_{\eta\to\infty}r=-k", "PROVED"),
         (r"\lim_{\eta\to\infty}r=k", "REFUTED"),
-        # What gives the letter stands beside it.
+        # The letter that defines it appears next to it.
         (r"\lim_{\eta\to0}s=1", "not read"),
         (r"\lim_{\eta\to0}(k+u)=k", "not read"),
     ],

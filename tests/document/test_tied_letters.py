@@ -1,4 +1,4 @@
-"""What goes over one letter alone, beside constraints that tie others to it, is left open."""
+"""Operations over one letter alone are left open where constraints tie other letters to it."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_nothing_that_is_tied_is_held(name: str) -> None:
         assert "may move with" in row.reason
 
 
-# What is tied has one value at a place, or may have more: prints, and the outcome of the last one.
+# A tied letter has one value at a place, or may have several: prints, and the outcome of the last.
 ACUTE, ANY = (TIE.replace(r"\psi", letter) for letter in (r"\gamma", r"\beta"))
 RODS = {letter: ROD.replace(r"\psi", letter) for letter in (r"\gamma", r"\beta")}
 PLACES = {
@@ -95,7 +95,7 @@ PLACES = {
         (r"l\sin\psi+b=r\sin\varphi", ROD, r"x|_{\varphi=0}=r+\sqrt{l^2-b^2}"),
         "PROVED",
     ),
-    # Its letters are others: it may be said of these.
+    # It has other letters, so it may be meant for another case.
     "an offset that is none": (
         (r"l\sin\psi+b=r\sin\varphi", ROD, r"x|_{\varphi=0}=r+l"),
         OPEN,
@@ -109,7 +109,7 @@ PLACES = {
         (TIE, r"r\cos\varphi+l\cos\psi=2r", ROD, r"x|_{\varphi=0}=l-r"),
         "DEFINITION",
     ),
-    # Nothing else says what b is.
+    # Nothing else gives b.
     "what introduces a letter contradicts nothing": (
         (TIE, r"r\cos\varphi+l\cos\psi=b", ROD, r"x|_{\varphi=0}=l-r"),
         "REFUTED",
@@ -126,9 +126,9 @@ def test_what_is_tied_has_the_only_value_that_constraints_leave_it(name: str) ->
     assert row.outcome == outcome, row.reason
 
 
-# Of what turns evenly, by its speed alone or by its angle at any time.
+# Values when the crank turns evenly, given by its speed alone or by its angle at any time.
 EVENLY = {
-    # It is true with the angle at this place, but not with any.
+    # It is true with the angle at this place, but not with any other angle.
     r"x|_{\varphi=0}=\left(l+r\right)\cos\psi": OPEN,
     r"x|_{\varphi=\pi}=l-r": "PROVED",
     r"x|_{\varphi=\pi}=l+r": "REFUTED",
@@ -172,7 +172,7 @@ CAM = r"""%% mechproof
 """
 RISE = r"s=h\left(1-\cos\frac{\pi\theta}\beta\right)"
 PRESSURE = r"\tan\alpha=\frac{s'}{r+s}"
-# An angle of its own moves beside a law; one that another equation has is asked for.
+# An angle that appears in one equation only may move with a law; one in two equations is asked for.
 LAWS = {
     "a derivative": ((RISE, r"s'=\frac{\pi h}\beta\sin\frac{\pi\theta}\beta", PRESSURE), "PROVED"),
     "a wrong derivative": (

@@ -1,6 +1,6 @@
-"""Characters of a paper: what is read as another sign is told once, letters that look like others.
+"""Characters of a paper: those read as other signs are reported once, as are look-alike letters.
 
-Only equations that have such a letter beside the one that it looks like are not read.
+Equations with such a letter are unread only if the paper also has the letter that it looks like.
 """
 
 # ruff: noqa: RUF001

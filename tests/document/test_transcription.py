@@ -1,4 +1,4 @@
-"""The file of a paper's print: letters and rows that a derivation takes from it."""
+"""The file with a paper's prints: letters and rows that a derivation takes from it."""
 
 from __future__ import annotations
 

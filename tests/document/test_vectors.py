@@ -1,4 +1,4 @@
-"""Vectors and matrices of papers without a block: printed before what they are made of, too."""
+"""Vectors and matrices in papers without a block, even if printed before their components."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ CASES = {
         ],
         [
             *("DEFINITION", "not read", "not read", "not read", "PROVED", "DEFINITION"),
-            # The last but one holds where x and y are zero, which may be meant.
+            # The second of these holds where x and y are zero, which may be meant.
             *("PROVED", "DEFINITION", "not read"),
         ],
     ),

@@ -1,4 +1,4 @@
-"""What words before a print announce: of another case nobody is accused, of a consequence he is."""
+"""Words before a print: a print of another case is not accused, a consequence is."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ BLOCK = r"""%% mechproof
 """
 PIN = r"y=r\sin\varphi"
 BELOW = r"y=-r\sin\varphi"
-# Words before a print, and whether one that differs from what stands before them is accused.
+# Words before a print, and whether it is accused if it differs from the print before them.
 WORDS = {
     "": True,
     "and": True,
@@ -63,8 +63,8 @@ def test_only_a_consequence_is_accused(words: str) -> None:
     assert judge("#The pin is at", PIN, f"#{words}", BELOW) == ["DEFINITION", accused]
 
 
-# Papers that are true, as they may be meant, and rows in which one thing is wrong: as they stand
-# without words, or behind words that tell of nothing else.
+# Papers that may be meant truly, and papers with one wrong row, which has no words before it or
+# words that announce nothing new.
 CASES: dict[str, tuple[list[str], list[str]]] = {
     "a case goes on in the displays behind it": (
         [
@@ -276,7 +276,7 @@ HEADING = r"#\section{Velocities} The velocities are"
 RATE = r"\dot x=-r\dot\varphi\sin\varphi"
 WRONG = r"\dot y=r\dot\varphi\cos\varphi-l\dot\varphi"
 SECOND = r"\ddot x=-r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
-# What stands behind two positions, and what becomes of the last derivative.
+# The parts after two positions, and the outcome of the last derivative.
 RATES = {
     "beside a true one": ((HEADING, RATE, WRONG), "REFUTED"),
     "before a true one": ((HEADING, r"\dot x=r\dot\varphi\sin\varphi", RATE, WRONG), "REFUTED"),

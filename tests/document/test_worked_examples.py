@@ -1,4 +1,4 @@
-"""What a worked example says of letters holds in it, and general rows remain general."""
+"""Values given in a worked example hold only there, and general rows remain general."""
 
 import pytest
 from small_papers import draft, judge_parts
@@ -35,7 +35,7 @@ OPEN = "not judged"
         ((r"#For example, with $l=3r$ it follows that", SHORT), [OPEN]),
         ((r"#If, for example, $l=3r$", LONG), [OPEN]),
         ((r"#For example, with $l=2r$ beside one with $l=3r$", LONG), [OPEN]),
-        # Behind its end only what holds in general is proved.
+        # After its end, only rows that hold in general are proved.
         ((HEADING, "l=3r", r"#\section{Speed} Hence", LONG), ["DEFINITION", OPEN]),
         ((HEADING, "l=3r", r"#\subsection{Speed} Hence", LONG), ["DEFINITION", "PROVED"]),
         ((HEADING, "l=3r", "#In general, hence,", LONG), ["DEFINITION", OPEN]),
@@ -51,7 +51,7 @@ OPEN = "not judged"
             (HEADING, r"\dot\varphi=\omega", r"#\section{Motion} Hence", STEADY),
             ["DEFINITION", OPEN],
         ),
-        # Sizes with units begin one, too.
+        # Sizes with units begin an example, too.
         ((r"#For $r=66$ mm it has", "l=3r", r"#\section{Rod}", LONG), ["DEFINITION", OPEN]),
         ((r"#For $r=66$ it has", "l=3r", r"#\section{Rod}", LONG), ["DEFINITION", "PROVED"]),
         ((r"#For $r=6\,\mathrm{mm}$ we have", "l=3r", "#Hence", SHORT), ["DEFINITION", "REFUTED"]),
@@ -60,7 +60,7 @@ OPEN = "not judged"
             (HEADING, r"\varphi=\omega t", "#Hence", r"\dot\varphi=2\omega"),
             ["DEFINITION", "REFUTED"],
         ),
-        # Its values are its own.
+        # The values of an example are its own.
         (
             (
                 HEADING,

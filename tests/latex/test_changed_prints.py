@@ -1,6 +1,6 @@
-"""A print or an expression with one thing changed is not accepted, unless it is equal.
+"""A print or an expression with one thing changed is not accepted, unless it is still equal.
 
-What is equal is decided by numerics that share nothing with the ladder: SymPy's `evalf`.
+Equality is decided by numerics that share nothing with the ladder: SymPy's `evalf`.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ SECONDS = 3.0
 PROCESSES = 2
 POINTS = 4
 DIGITS = 40
-# Two sides that agree in half of the digits they are computed with are equal.
+# Two sides are equal if they agree in half of the digits that they are computed with.
 EQUAL = sp.Float(10) ** (-DIGITS // 2)
 
 SWAPS = {
@@ -54,7 +54,7 @@ SWAPS = {
 
 @dataclass(frozen=True)
 class Changed:
-    """A row with one thing changed: what stood there, what stands there now."""
+    """A row with one thing changed; `what` shows it before and after."""
 
     system: str
     row: Row
@@ -66,12 +66,12 @@ class Changed:
 
 @lru_cache
 def load(system: str) -> tuple[Paper, Paper]:
-    """Return a paper as its module binds it, and with its prints read."""
+    """Return a paper as its module binds it, and the same paper with its prints read."""
     return declared_paper_of(system), paper_of(system)
 
 
 def change_print(system: str, draw: random.Random) -> Changed | str:
-    """Change one sign of a print; a text says why it is not a row then."""
+    """Change one sign of a print; return a text that says why if that gives no changed row."""
     typed, paper = load(system)
     row = draw.choice([r for r in typed.rows if r.says is None])
     latex = _change_sign(row.printed_latex, paper, draw)
@@ -104,7 +104,7 @@ def change_print(system: str, draw: random.Random) -> Changed | str:
 
 
 def _change_sign(latex: str, paper: Paper, draw: random.Random) -> str:
-    """Put another legal sign in the place of one."""
+    """Replace one sign of a print by another legal one, or one letter by another."""
     names = [t for v in paper.variables for t in v.latex if "#" not in t]
     places = [t for t in tokenize(latex) if t.end > t.start]
     while True:
@@ -122,7 +122,7 @@ def _change_sign(latex: str, paper: Paper, draw: random.Random) -> str:
 
 
 def change_expression(system: str, draw: random.Random) -> Changed | str:
-    """Change one node of the printed side of an equality."""
+    """Change one node of the printed side of an equality; return a text if that gives no row."""
     _, paper = load(system)
     rows = [r for r in paper.rows if isinstance(r.says, Equality)]
     row = draw.choice(rows)
@@ -158,7 +158,7 @@ def _change_node(tree: sp.Basic, draw: random.Random) -> sp.Basic:
 
 
 def _nodes(tree: sp.Basic) -> Iterator[sp.Expr]:
-    """Yield the nodes but for what is bound, and for the bases of families."""
+    """Yield the nodes of a tree, except bound symbols and the bases of families."""
     free = tree.free_symbols
     for node in sp.preorder_traversal(tree):
         is_bound = node.is_Symbol and node not in free
@@ -184,11 +184,11 @@ def _variants(node: sp.Expr, tree: sp.Basic, draw: random.Random) -> Iterator[sp
         yield node.base ** (node.exp + 1)
 
 
-# What is said of it ----------------------------------------------------------------------------
+# How it is judged ------------------------------------------------------------------------------
 
 
 def judge_changed(changed: Changed) -> tuple[Verdict | str, str]:
-    """Return the verdict, and whether the two sides are equal where it is PROVED."""
+    """Return the verdict and, if it is PROVED, the answer of `compare_numbers`, else ""."""
     _, paper = load(changed.system)
     try:
         verdict = judge(changed.row, paper).verdict
@@ -249,7 +249,7 @@ def _compare_pair(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
 
 @dataclass(frozen=True)
 class Task:
-    """One change, by its place in the order of random numbers."""
+    """One change to try on a paper, with the seed of its random numbers."""
 
     change: Callable[[str, random.Random], Changed | str]
     system: str
@@ -257,7 +257,7 @@ class Task:
 
 
 def try_change(task: Task) -> tuple[str, str]:
-    """Change a row and judge it; return what came of it, and what was changed."""
+    """Change a row and judge it; return the result, and a text about the change."""
     found = task.change(task.system, random.Random(task.seed))
     if isinstance(found, str):
         kind, _, what = found.partition(": ")
@@ -267,7 +267,7 @@ def try_change(task: Task) -> tuple[str, str]:
 
 
 def attack(change: Any, count: int, seed: int) -> dict[str, list[str]]:
-    """Change rows of all papers in turn; return what was changed by what came of it."""
+    """Change `count` rows, of all papers in turn; return the changes, grouped by their results."""
     for system in SYSTEMS:
         load(system)
     tasks = [Task(change, SYSTEMS[k % len(SYSTEMS)], f"{seed} {k}") for k in range(count)]

@@ -1,4 +1,4 @@
-"""What a correction changes is marked in both prints, and nothing else is."""
+"""The changes of a correction are marked in both prints, and nothing else is."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ PUT = Style("⟪{}⟫".format, "⟫{}⟪".format)
 MARKED = re.compile(r"⟦[^⟧]*⟧|⟪[^⟫]*⟫")
 
 CHANGES = [
-    # print, mend, both marked
+    # The print, its correction, and both with their marks.
     ("a+b", "a-b", "a⟦+⟧b", "a⟪-⟫b"),
     ("x_1", "x_2", "x_{⟦1⟧}", "x_{⟪2⟫}"),
     ("x_1", "x", "x_{⟦1⟧}", "x"),
     ("x_5+y", "x'_5+y", "x_{5}+y", r"x_{5}^{⟪\prime⟫}+y"),
     (r"y\sqrt{\frac{a}{b}}", r"y\frac ab", r"y⟦\sqrt{⟧\frac{a}{b}⟦}⟧", r"y\frac{a}{b}"),
     (r"\frac{x}{2}+y", r"\frac{x}{3}+y", r"\frac{x}{⟦2⟧}+y", r"\frac{x}{⟪3⟫}+y"),
-    # From above the line to below it.
+    # From the numerator to the denominator.
     (r"u\frac{xy}{z}", r"u\frac{x}{yz}", r"u\frac{x⟦y⟧}{z}", r"u\frac{x}{⟪y⟫z}"),
     (r"a(b+c)d", r"ab+cd", r"a⟦(⟧b+c⟦)⟧d", r"ab+cd"),
     (r"\sin x+y", r"\cos x+y", r"⟦\sin⟧x+y", r"⟪\cos⟫x+y"),
@@ -85,7 +85,7 @@ FORMULAS = st.recursive(st.lists(SMALL, min_size=1, max_size=4).map("".join), _w
 
 def _unmarked(text: str) -> list[str]:
     plain = re.sub(r"\\left|\\right|[{}]", " ", MARKED.sub(" ", text))
-    # A slot of which nothing stayed is still there.
+    # An index or exponent remains as an empty slot if all of it is marked: ignore its sign.
     return re.findall(r"\\[a-z]+|[^_^\s]", plain)
 
 

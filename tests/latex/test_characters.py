@@ -1,4 +1,4 @@
-"""Characters beyond ASCII are the signs they print like, or refused with what to print."""
+"""Characters beyond ASCII are read as the signs they look like, or refused with what to print."""
 
 # ruff: noqa: RUF001
 from __future__ import annotations
@@ -99,7 +99,7 @@ def test_which_letters_look_alike() -> None:
     assert find_alike(("o", "ο")) == ("o", "ο")
     assert find_alike((r"\Pi", "П")) == (r"\Pi", "П")
     assert find_alike(("β", "ж", "x", "y")) is None
-    # Nobody is blamed for a letter that others have.
+    # Only the first letters are blamed, not a look-alike among the others.
     assert find_alike(("a",), ("а", "b")) is None
     assert find_alike(("а",), ("a", "b")) == ("a", "а")
 

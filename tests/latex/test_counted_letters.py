@@ -1,4 +1,4 @@
-r"""What belongs to a function or a letter: \cos nx, \cos bx\,dx, s(s-a), each beside a twin."""
+r"""Arguments and factors of functions and letters: \cos nx, \cos bx\,dx, s(s-a), with twins."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_an_upright_d_is_no_letter() -> None:
     assert reader.parse(r"\int_0^1dx\,\mathrm dx").meaning().of(member).doit() == d / 2
     with pytest.raises(ReadingError, match="a differential, or d"):
         reader.parse(r"\int_0^1dx\,dx")
-    # An integral needs one, and what stands on the other side is none of it.
+    # An integral needs a differential, and one on the other side is not its own.
     (member, _) = reader.parse(r"\int_0^1x\,dx=d").chains[0].members
     assert reader.parse(r"\int_0^1x\,dx=d").meaning().of(member).doit() == sp.Rational(1, 2)
     with pytest.raises(ReadingError, match="a differential, or d"):

@@ -12,7 +12,7 @@ from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Variable
 
-# A print, and one that is wrong by little; of natural numbers n.
+# A print, and one that is slightly wrong, both for natural numbers n.
 ROWS = [
     (r"1+2+\dots+n=\frac{n(n+1)}2", r"1+2+\dots+n=\frac{n(n-1)}2"),
     (r"1+2+\dots+(n-1)+n=\frac{n(n+1)}2", r"1+2+\dots+(n-1)+n=n^2"),
@@ -31,7 +31,7 @@ ROWS = [
     (r"1\cdot3\cdots(2n-1)=\frac{(2n)!}{2^nn!}", r"1\cdot3\cdots(2n-1)=\frac{(2n)!}{n!}"),
     (r"1^3+2^3+\dots+n^3=(1+2+\dots+n)^2", r"1^3+2^3+\dots+n^3=(1+2+\dots+n)^3"),
 ]
-# Nothing, or more than one thing, is what these stand for.
+# Dots that stand for nothing, or for more than one thing.
 REFUSED = [
     r"1+\dots+n=1",
     r"1+2+\dots+x=3",

@@ -1,4 +1,4 @@
-"""Of the equations that the five papers print, few are typed by hand, and all are read."""
+"""Few of the equations that the five papers print are typed by hand or not parsed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MOST_UNREAD = 3
 
 @lru_cache
 def equations(system: str) -> tuple[Paper, tuple[Row, ...], tuple[Row, ...]]:
-    """Return a paper, its equations as they are declared, and one for each relation sign."""
+    """Return a paper, its equations as declared, and its equations, one for each relation sign."""
     read, declared = paper_of(system), declared_paper_of(system)
     return read, *(tuple(r for r in p.rows if isinstance(r, Equation)) for p in (declared, read))
 
