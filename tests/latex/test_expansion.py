@@ -1,4 +1,4 @@
-"""A print becomes a row for each relation sign, compared with what is declared for it."""
+"""A print becomes one row for each relation sign, compared with what is declared for it."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def test_members_without_derived_values_are_compared_as_read() -> None:
 def test_a_derived_value_takes_the_place_of_the_declared_one() -> None:
     assert says("x=w+1", derived={x: 2 * w}) == Equality(w + 1, 2 * w)
     assert says("w+1=x", derived={x: 2 * w}) == Equality(w + 1, 2 * w)
-    # Also within what is given by it, and within an integral.
+    # Also in letters given by it, and in an integral.
     assert says("y=w", derived={x: w / 2}) == Equality(w, w)
     (row,) = expand(r"w=\int c\,dx", derived={w: x**3 / 3})
     assert isinstance(row.says, Equality)
@@ -132,12 +132,12 @@ def test_a_symbol_that_is_declared_by_its_own_print_proves_nothing() -> None:
     for latex in ("c=x^2", "x^2=c", "2c=x^2+c"):
         (judgement,) = verdicts(latex)
         assert judgement.verdict is Verdict.DEFINITION
-    # What follows from the declared value says something, too.
+    # A consequence of the declared value does say something.
     (follows,) = verdicts("c^2=x^4")
     assert follows.verdict is Verdict.PROVED
     (derived,) = verdicts("c=x^2", derived={c: x * x})
     assert derived.verdict is Verdict.PROVED
-    # The declared value is written in other symbols than the print: it says something.
+    # The declared value is in other symbols than the print, so the print says something.
     (said,) = verdicts("y=x+x", derived={x: w})
     assert said.verdict is Verdict.PROVED
 
@@ -233,7 +233,7 @@ def test_a_printed_condition_and_that_of_the_row_narrow_together() -> None:
     assert "where w > 0 and w > -1 and x < w" in judgement.reason
     (judgement,) = verdicts(r"|w|=-w\text{ if }w>0", on=part)
     assert judgement.verdict is Verdict.REFUTED
-    # What a sign has instead of its row does not hide the print either; one text is shown once.
+    # A part declared for one sign does not hide the printed condition; equal texts show once.
     again = Part("w > 0", within)
     (row,) = expand(r"|w|=w\text{ if }w>0", links={1: ChainLink(on=again)})
     assert row.on == Part("w > 0", within, (printed,))

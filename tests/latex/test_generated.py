@@ -1,4 +1,4 @@
-"""Generated expressions survive print, reading, print; a changed character changes what is read."""
+"""Generated expressions survive printing and reading; a changed character changes the reading."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PRINTED = {x: "x", y: r"\varphi_{3}'", z: r"l_{AB}"}
 VARIABLES = tuple(Variable(s, "", latex=(latex,)) for s, latex in PRINTED.items())
 READER = Reader(VARIABLES, Notation(factors=tuple(PRINTED.values())))
 FUNCTIONS = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.Abs, sp.asin)
-# SymPy's names of the inverse functions are no print of papers.
+# Papers do not print SymPy's names of the inverse functions.
 SPELLING = {"inv_trig_style": "full", "ln_notation": True, "symbol_names": PRINTED}
 
 
@@ -51,7 +51,7 @@ def generated() -> tuple[sp.Expr, ...]:
         has_value = not expression.has(sp.nan, sp.zoo, sp.oo, sp.I, sp.AccumBounds) and not any(
             part.is_extended_real is False for part in parts
         )
-        # SymPy prints the power of a logarithm behind its argument, which is refused.
+        # SymPy prints the power of a logarithm after its argument, which is refused.
         powers = [p for p in expression.atoms(sp.Pow) if p.base.func is sp.log and p.exp != -1]
         if has_value and not powers:
             found[expression] = None
@@ -81,7 +81,7 @@ CHANGES = {
     **{str(n): str((n + 1) % 10) for n in range(10)},
     **{"+": "-", "-": "+", "=": "<", "(": ")", ")": "(", "{": "}", "}": "{", "_": "^", "^": "_"},
     **{"a": "e", "e": "a", "x": "e", "R": "a", "C": "x", "q": "n", "n": "q", "k": "n", "d": "x"},
-    # A changed t is no s: \sfrac prints the fraction of \tfrac.
+    # A t is not changed into an s: \sfrac prints the same fraction as \tfrac.
     **{"s": "c", "c": "s", "t": "r", "i": "o", "o": "i", "g": "n", "'": "2", "V": "R", "A": "B"},
 }
 SYSTEMS = ("elliptic_planetary", "measurement")

@@ -1,4 +1,4 @@
-"""A factor of a print is judged though what it is multiplied by is zero in another print."""
+"""A factor of a print is judged even if another print makes the other factor zero."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def load() -> Paper:
 
 
 def judge_changed(row: Equation, old: str, new: str) -> Verdict:
-    """Judge the last sign of a print with one thing changed, after it was PROVED as it stands."""
+    """Judge the first sign of a print with one thing changed, after it was accepted unchanged."""
     reader = Reader(load().variables, load().notation)
     prints = (row.printed_latex, row.printed_latex.replace(old, new, 1))
     assert prints[0] != prints[1]
@@ -38,7 +38,7 @@ def judge_changed(row: Equation, old: str, new: str) -> Verdict:
 
 
 def unread(number: str) -> Equation:
-    """Return a row of the paper before it was read."""
+    """Return a row of the paper as declared, with its print unread."""
     from mechproof.derivations.track_wheel.rows.equations import FRAME_ROWS
 
     load()

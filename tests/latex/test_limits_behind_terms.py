@@ -27,7 +27,7 @@ ROWS = [
 ]
 REFUSED = [
     (r"\left[ax\right]_0^2=2a", "of which letter"),
-    # A function, or one of another letter.
+    # An undeclared function, or a letter that may be one of another letter.
     (r"\int_0^1x\,dx=[G]_0^1", "of which letter"),
     (r"[y]_0^1=1", "of which letter"),
     (r"\left[\frac{x-1}{x-1}\right]_1^2=0", "divides by zero"),

@@ -1,4 +1,4 @@
-"""Powers of matrices to n: what they say of the first n, and of each step."""
+"""Powers of matrices to the n-th: judged at the first n, and from each n to the next."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mechproof.proof.verdict import Verdict
 
 
 def show(*rows: str) -> str:
-    r"""Print a matrix; commas stand between its entries."""
+    r"""Return the LaTeX of a matrix; commas separate the entries of a row."""
     inside = r"\\".join(row.replace(",", "&") for row in rows)
     return rf"\begin{{pmatrix}}{inside}\end{{pmatrix}}"
 
@@ -34,11 +34,11 @@ REFUTED = [
     (SHEAR, show("1,n+1", "0,1"), ()),
     (show("a,b", "0,c"), show("a^n,nb", "0,c^n"), ()),
     (ONES, r"2^n\cdot" + ONES, ()),
-    # Not for n = 0.
+    # Not true for n = 0.
     (ONES, r"2^{n-1}\cdot" + ONES, (r"n\ge0",)),
 ]
 REFUSED = [
-    # A value from some n on or of one n, no value, or a power that does not stand alone.
+    # A value from some n onwards or for one n only, no value, or a power that is not alone.
     (rf"{show('0,1', '0,0')}^n={show('0,0', '0,0')}", (r"n\ge2",)),
     (rf"{SHEAR}^n={show('1,3', '0,1')}", ("n=3",)),
     (rf"{SHEAR}^n={show('1,m', '0,1')}", ("m=n",)),

@@ -1,6 +1,6 @@
 r"""Vectors and matrices in print: products, blocks, parts, determinants, in every spelling.
 
-Each form stands beside a twin, a print near it that is refused or says something else.
+Each form has a twin, a similar print that is refused or says something else.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ MATRICES = [
     (r"\vec{u}\times[A]w", E["u"].cross(E["A"] * E["w"])),
     (r"[(x, y, s)]_{\times}", sp.Matrix([[0, -s, y], [s, 0, -x], [-y, x, 0]])),
     (r"\mathbf B^{-1}\;[A]v", E["B"].inv("ADJ") * E["A"] * E["v"]),
-    # Wide gaps part the entries of a row, and none of a sum or what stands beside it.
+    # Wide gaps separate the entries of a row, but not the terms of a sum or factors.
     (r"[x\cos y\quad -y\qquad0]", sp.Matrix([[x * sp.cos(y), -y, 0]])),
     (r"\left[x\quad y\right]^T", sp.Matrix([x, y])),
     (r"[A][x\quad y\quad s]^T", E["A"] * sp.Matrix([x, y, s])),
@@ -103,7 +103,7 @@ MATRICES = [
         show(P).row_join(sp.Matrix([x, y])).col_join(sp.Matrix([[0, 0, 1]])),
     ),
     (r"\begin{pmatrix}P&0\\0&P\end{pmatrix}", sp.diag(show(P), show(P))),
-    # How far away the next row is printed says nothing; a row may begin with a bracket.
+    # The distance to the next row means nothing; a row may begin with a bracket.
     *(
         (rf"\begin{{pmatrix}}x\\{space}-y\end{{pmatrix}}", sp.Matrix([x, -y]))
         for space in ("[2mm]", " [0.5 em]", "[-1ex]", "*", "*[3pt]", r"[\jot]", r"[2\baselineskip]")

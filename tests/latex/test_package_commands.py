@@ -60,7 +60,7 @@ SAME = {
     # Markdown.
     r"x\(t)=a\(b+c\)": "x(t)=a(b+c)",
 }
-# What is no call in a known form stays as it is printed.
+# Calls that are in no known form stay as they are printed.
 LEFT = (
     r"\diffp[2]{f}{x,y}",
     r"\odv[style=a]{x}{t}",

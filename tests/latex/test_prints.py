@@ -1,8 +1,8 @@
 """The prints of the papers are read as they were once typed by hand.
 
 `frozen/<system>.tsv` has a line for each sign that was typed: the number of its row and the tree of
-the printed side. What is read from the print must be that tree, up to names of bound symbols, to
-declared values, to an expansion and to the parts that SymPy has cancelled and that need a value.
+the printed side. The reading of the print must equal that tree up to names of bound symbols,
+declared values, expansion, and cancelled parts that are noted because they need a value.
 """
 
 from __future__ import annotations

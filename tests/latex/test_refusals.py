@@ -1,4 +1,4 @@
-"""What could be read in two ways is refused, with its place and a remedy."""
+"""Prints that could be read in two ways are refused, with the place and a remedy."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ VARIABLES = (
 READER = Reader(VARIABLES, Notation(factors=("a",)))
 
 REFUSED = [
-    # print, what stands at the place, a part of the reason, a part of the remedy
+    # The print, the text at the place, a part of the reason, a part of the remedy.
     ("x_2+1", "_2", "declared, but not with an index", r"latex=(r'x_2',)"),
     ("x'", "'", "declared, but not with a prime", r"latex=(r'x\'',)".replace("\\'", "'")),
     ("a/xy", "/xy", "several factors", r"\frac"),
@@ -160,7 +160,7 @@ def test_it_is_refused_with_place_and_remedy(latex: str, at: str, reason: str, r
     assert lines[2].index("^") == lines[1].index(latex) + error.place
 
 
-# Refused when the expression is made of what was read.
+# Refused when an expression is built from what was read.
 MEANINGLESS = [
     ("1/0", "divides by zero"),
     (r"\frac{1}{x-x}", "divides by zero"),
@@ -224,7 +224,7 @@ ARGUMENTS = {
     **{"exp": sp.exp, "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "arctan": sp.atan},
     **{"sinh": sp.sinh, "th": sp.tanh, "erf": sp.erf},
 }
-# Read, as there is only one way.
+# Read, as there is only one reading.
 READ = [
     (r"\cos 2x\cdot y", sp.cos(2 * x) * y),
     (r"\cos\frac x2\sin x", sp.cos(x / 2) * sp.sin(x)),
@@ -269,7 +269,7 @@ READ = [
     (r"\left|\begin{matrix}x&y\\a&k\end{matrix}\right|", x * k - y * a),
     (r"\left|\begin{array}{cc}x&y\\a&k\end{array}\right|^2", (x * k - y * a) ** 2),
     (r"|\begin{pmatrix}x&y\\a&k\end{pmatrix}|", x * k - y * a),
-    # Braces of their own behind a function hold its argument.
+    # Braces right after a function contain its argument.
     *(
         (rf"\{name}{power}{{{inside}}}+1", make(argument) ** exponent + 1)
         for name, make in ARGUMENTS.items()

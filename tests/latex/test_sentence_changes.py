@@ -1,4 +1,4 @@
-"""What a correction changes in a sentence is marked word by word, and formulas within it too."""
+"""A correction's changes to a sentence are marked word by word, and in its formulas too."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ TAKEN = Style("⟦{}⟧".format, "⟧{}⟦".format)
 PUT = Style("⟪{}⟫".format, "⟫{}⟪".format)
 
 CHANGES = [
-    # print, mend, both marked
+    # The print, its correction, and both with their marks.
     (
         r"\text{the interval of the errors is }\bar q\pm2u",
         r"\text{the interval of the mean of the errors is }\bar q\pm2u",

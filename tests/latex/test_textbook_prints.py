@@ -1,6 +1,6 @@
-r"""How textbooks and lecture notes print: frames at the left of a letter, names in words, matrices.
+r"""Prints of textbooks and lecture notes: frames to the left of a letter, words as names, matrices.
 
-Each form stands beside a twin, a print near it that is refused or says something else.
+Each form has a twin, a similar print that is refused or says something else.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ READER = Reader(PLAIN)
 # Letters --------------------------------------------------------------------------------------
 
 COLLECTED = [
-    # In every spelling of the scripts at the left the letter is the same.
+    # The letter is the same in every spelling of the scripts to its left.
     *(
         (spelling, [r"{}^{C}_{D}Q"])
         for spelling in (
@@ -41,7 +41,7 @@ COLLECTED = [
         [r"\underline{q}_{1}", r"\mathbf{q}", r"\mathrm{gain}"],
     ),
     (r"q_{\rm max}+q_{\mathrm{max}}", [r"q_{\max}"]),
-    # Of a row of letters from a on none is Euler's number or a differential.
+    # In a run of letters from a onwards, none is Euler's number or a differential.
     (r"a+b+c+d+e", ["a", "b", "c", "d", "e"]),
     (r"\begin{vmatrix}a&b\\c&d\end{vmatrix}", ["a", "b", "c", "d"]),
     ("d=l+d_1", ["d", "l", "d_{1}"]),

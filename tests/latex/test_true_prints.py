@@ -1,4 +1,4 @@
-r"""What is true in print is not refuted for the way it is printed; its twin beside it is.
+r"""True prints are not refuted for the way they are printed; their false twins are.
 
 Decimals are rounded, a bracket with commas stands for a column, a residual has either sign,
 matrices without values are judged entry by entry.
@@ -51,7 +51,7 @@ def judge_print(latex: str, **declared: Any) -> list[Verdict]:
         *((r"\sin(-20^\circ)=-0.34", TRUE), (r"\sin(-20^\circ)=0.34", FALSE)),
         *((r"\frac12=0.5", TRUE), (r"\frac12=0.52", FALSE), ("q=0.333", TRUE), ("q=0.334", FALSE)),
         *((r"\frac13=0", FALSE), ("x=0.5x", FALSE)),
-        # Side by side, but in arguments of their own: no function lg.
+        # Adjacent letters, but two arguments of \frac: not the function lg.
         *((r"\frac lg=l/g", TRUE), (r"\frac lg=g/l", FALSE), (r"\frac hlm=hm/l", TRUE)),
         # Rows and columns.
         (r"2p=(2x, 4x)", TRUE),
@@ -61,7 +61,7 @@ def judge_print(latex: str, **declared: Any) -> list[Verdict]:
         (r"p^Tp=5x^2", TRUE),
         (r"p^T\begin{pmatrix}-2\\1\end{pmatrix}=0", TRUE),
         (r"p^T\begin{pmatrix}2\\1\end{pmatrix}=0", FALSE),
-        # Matrices and vectors of which nothing is known.
+        # Matrices and vectors about which nothing is known.
         *((r"(AB)^T=B^TA^T", TRUE), (r"(AB)^T=A^TB^T", FALSE)),
         *((r"A(u+v)=Au+Av", TRUE), ("AB=BA", FALSE)),
         *((r"u\times v=-v\times u", TRUE), (r"u\times v=v\times u", FALSE)),

@@ -1,4 +1,4 @@
-"""A headless Chromium, spoken to over two pipes: no driver, no port, no package."""
+"""A headless Chromium, controlled through two pipes: no driver, no port, no package."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import Any
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-# Seconds until an answer; a page of this size takes one.
+# Longest wait for an answer, in seconds; a page of this size takes one second.
 PATIENCE = 60.0
 FLAGS = (
     "--headless", "--remote-debugging-pipe", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
@@ -26,12 +26,12 @@ FLAGS = (
 
 
 def find_browser() -> str | None:
-    """Return the browser that is installed, if one is."""
+    """Return the path of an installed browser, or None."""
     return next(filter(None, map(shutil.which, NAMES)), None)
 
 
 class BrowserError(RuntimeError):
-    """The browser ended or did not answer."""
+    """The browser is missing, ended, did not answer or answered with an error."""
 
 
 class Browser:
@@ -75,7 +75,7 @@ class Browser:
         self._profile.cleanup()
 
     def ask(self, method: str, **parameters: object) -> dict[str, Any]:
-        """Send a command and return its answer; what is heard meanwhile is kept."""
+        """Send a command and return its answer; errors heard meanwhile join the complaints."""
         self._number += 1
         message = {"id": self._number, "method": method, "params": parameters}
         if self._session:
@@ -90,7 +90,7 @@ class Browser:
                 return answer
 
     def open(self, page: Path) -> None:
-        """Load a page from its file; complaints are those of this page."""
+        """Load a page from its file, and start its list of complaints."""
         self.complaints = []
         self.ask("Page.navigate", url=page.as_uri())
         while self._hear().get("method") != "Page.loadEventFired":
@@ -106,19 +106,19 @@ class Browser:
         return found["result"].get("value")
 
     def resize(self, width: int, height: int = 900) -> None:
-        """Give the window another size."""
+        """Set the size of the window, in CSS pixels."""
         self.ask(
             "Emulation.setDeviceMetricsOverride",
             width=width, height=height, deviceScaleFactor=1, mobile=False,
         )  # fmt: skip
 
     def prefer(self, scheme: str) -> None:
-        """Prefer light or dark."""
+        """Set the preferred colour scheme: light or dark."""
         feature = {"name": "prefers-color-scheme", "value": scheme}
         self.ask("Emulation.setEmulatedMedia", features=[feature])
 
     def photograph(self, file: Path, *, top: float = 0, height: float | None = None) -> None:
-        """Save a picture of the page, whatever its height."""
+        """Save a picture of the page from `top` on, `height` high or down to its end."""
         size = self.ask("Page.getLayoutMetrics")["cssContentSize"]
         clip = {"x": 0, "y": top, "width": size["width"], "scale": 1}
         clip["height"] = min(height or size["height"], size["height"] - top)
@@ -150,7 +150,7 @@ class Browser:
 
 @contextmanager
 def start_browser() -> Iterator[Browser]:
-    """Start the browser that is installed."""
+    """Start the installed browser, and end it afterwards."""
     command = find_browser()
     if command is None:
         raise BrowserError("there is no Chromium")

@@ -1,4 +1,4 @@
-"""A report of one paper of the package and of three of a user's own."""
+"""A report of one paper of the package and three of a user's own."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from mechproof.pipeline.verification import judge_derivations
 from mechproof.report import build_site, judged_derivations, write_folder
 from mechproof.report.judged_derivations import read_records
 
-# Of what was measured this is shown with every test, all with the thorough ones: a chart takes
-# longer than the rest of its page.
+# The quantities whose measurements are shown in every run; thorough runs show them all: a chart
+# takes longer than the rest of its page.
 SHOWN = ("position", "ratio", "largest_ratio", "eccentricity_of_extremes")
 
 
@@ -26,13 +26,13 @@ def build(locations: Sequence[Path]) -> dict[str, str]:
 
 
 def read_shown(folder: Traversable, names: Iterable[str]) -> Sequence[Record]:
-    """Read what was measured of the quantities that are shown."""
+    """Read the records of those quantities that are in `SHOWN`."""
     return read_records(folder, [name for name in names if name.partition(".")[2] in SHOWN])
 
 
 @pytest.fixture(scope="session")
 def papers(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """The files of a user's own papers, in a folder of derivations."""
+    """Return the files of a user's own papers, in a folder of derivations."""
     folder = tmp_path_factory.mktemp("own") / "derivations"
     shutil.copytree(TESTS / "own_paper" / "derivations", folder)
     return [folder / "universal_joint.py", write_slider_crank(folder), write_hostile(folder)]
@@ -40,7 +40,7 @@ def papers(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 @pytest.fixture(scope="session")
 def files(papers: list[Path], request: pytest.FixtureRequest) -> dict[str, str]:
-    """The files of the report by their names."""
+    """Return the texts of the report's files by their names."""
     with pytest.MonkeyPatch.context() as patch:
         if request.config.getoption("markexpr") != "thorough":
             patch.setattr(judged_derivations, "read_records", read_shown)
@@ -49,7 +49,7 @@ def files(papers: list[Path], request: pytest.FixtureRequest) -> dict[str, str]:
 
 @pytest.fixture(scope="session")
 def site(files: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The report in a folder."""
+    """Return the folder into which the report is written."""
     folder = tmp_path_factory.mktemp("site") / "a report"
     write_folder(folder, files)
     return folder

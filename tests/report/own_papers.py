@@ -1,4 +1,4 @@
-"""Papers of a user's own: the one that the uses show, and one that would run scripts."""
+"""A user's own papers: the one shown in docs/verify.md, and one that would run scripts."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from pathlib import Path
 
 TESTS = Path(__file__).parents[1]
 HURT = "document.title='hurt'"
-# Everything that a paper can say, said by one that would run scripts, and a row that cannot be
-# judged: its rebuilt side has a symbol that is declared nowhere.
+# A paper whose every text tries to run scripts, with a row that cannot be judged: its rebuilt side
+# has a symbol that is declared nowhere.
 HOSTILE = rf"""
 from sympy import Symbol
 
@@ -33,7 +33,7 @@ PAPER = Paper(
 
 
 def write_slider_crank(folder: Path) -> Path:
-    """Write the paper that the uses show."""
+    """Write the paper that docs/verify.md shows."""
     uses = (TESTS.parent / "docs" / "verify.md").read_text(encoding="utf-8")
     found = re.search(r'```python\n("""Slider-crank.*?)```', uses, re.DOTALL)
     assert found is not None

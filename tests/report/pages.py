@@ -1,4 +1,4 @@
-"""What every page of a report must be, as faults found in its text."""
+"""Requirements on every page of a report, as faults found in its text."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 VOID = {"meta", "link", "br", "input", "img", "hr", "wbr", "source", "col", "base"}
-# What would load something, or run it.
+# Elements that would load or run something.
 FORBIDDEN = {"script", "iframe", "object", "embed", "img", "style", "base", "form"}
 
 
 @dataclass
 class Page(HTMLParser):
-    """The elements of a page as a checker needs them."""
+    """The elements of a page that the checks need, and the faults met while reading it."""
 
     ids: list[str] = field(default_factory=list)
     links: list[str] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""The report in a real browser: nothing complains, every formula has a size, nothing overflows."""
+"""The report in a real browser: no errors, every formula has a size, nothing overflows."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ EACH_KIND = tuple(
     )
 )
 EVERY = "**/*.html"
-# Lists what is wrong with the page that is open, in words.
+# A script that lists the faults of the open page in words.
 INSPECT = r"""
 (() => {
   const faults = [];

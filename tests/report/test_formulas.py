@@ -1,4 +1,4 @@
-"""Formulas: what papers print becomes MathML or a sentence, and nothing else."""
+"""Formulas: the prints of papers become MathML or sentences, and nothing else."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def prints() -> set[str]:
 
 
 def shape(latex: str) -> str:
-    """The formula with tags and texts alone."""
+    """Return the tags and texts of a formula's MathML, without attributes."""
     root = fromstring(write_formula(latex))[0][0]
     return "".join(f"<{e.tag.removeprefix(MATH)}>{e.text or ''}" for e in root.iter())
 
@@ -41,7 +41,7 @@ def test_every_formula_of_the_papers_is_converted() -> None:
             element = fromstring(f"<div>{written}</div>")
             assert element.find(".//code") is None, latex
             for part in element.iter():
-                # What is left of a command would be shown as it stands.
+                # The remains of a command would be shown as they are.
                 is_source = part.tag.endswith("annotation")
                 assert is_source or "\\" not in (part.text or ""), latex
                 if part.tag.startswith(MATH) and not is_source:
@@ -50,7 +50,7 @@ def test_every_formula_of_the_papers_is_converted() -> None:
 
 
 def test_a_long_left_side_ends_before_its_equals_sign() -> None:
-    """Not within its arguments, the last of which would begin the line of the right side."""
+    """It does not break in its arguments, the last of which would begin the next line."""
     arguments = ",".join(f"x_{{{n}}}" for n in range(18))
     written = write_block(rf"f({arguments})=\begin{{pmatrix}}a\\b\end{{pmatrix}}")
     last = written.rsplit("<wbr/>", 1)[-1]
@@ -160,7 +160,7 @@ def test_long_formulas_within_words_break_at_commas_and_signs_and_else_scroll() 
         ("|a-b|<c", ["|a\N{MINUS SIGN}b|", "<c"]),
         (r"\left(\frac ab+c\right)d", ["(ab+c)d"]),
         (r"\sqrt{a+b}", ["a+b"]),
-        # Wide brackets are opened, as long as nothing in them is high.
+        # Wide brackets may break inside, as long as nothing in them is high.
         (
             "z=2(" + "+".join(f"a_{{{i}}}" for i in range(15)) + ")",
             ["z=2(a0", *(f"+a{i}" for i in range(1, 14)), "+a14)"],
@@ -172,9 +172,9 @@ def test_formulas_break_at_relations_terms_and_commas(latex: str, pieces: list[s
     found = written.findall(f"{MATH}math")
     rows = [math.find(f".//{MATH}mrow") for math in found]
     assert ["".join(row.itertext()).strip() for row in rows if row is not None] == pieces
-    # The first has the LaTeX of all.
+    # The first piece carries the LaTeX of the whole formula.
     assert [n.text for n in written.iter(f"{MATH}annotation")] == [latex]
-    # Signs at the beginning of the others have the gaps of signs between members.
+    # Signs at the beginning of the other pieces are spaced like signs between members.
     first = [row[0] for row in rows[1:] if row is not None and row[0].tag == f"{MATH}mo"]
     assert {sign.get("form") for sign in first} <= {"infix"}
 
@@ -210,7 +210,7 @@ SUM = "+".join(TERMS)
         (r"\begin{pmatrix}a+b+c&d\\e&f\end{pmatrix}", []),
         (rf"\begin{{pmatrix}}{SUM}&d\\e&f\end{{pmatrix}}", 6 * [""]),
         (rf"\left({SUM}\right)^2", ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11+a12", "+a13+a14"]),
-        # What stands above is folded to no less than what stands below needs.
+        # A numerator is folded no narrower than its denominator.
         (
             rf"abcdefghijklmnop\frac{{{SUM}}}{{{''.join(TERMS[:14])}}}",
             ["a0+a1+a2+a3+a4+a5+a6", "+a7+a8+a9+a10+a11", "+a12+a13+a14"],
@@ -228,7 +228,7 @@ def test_what_is_wide_within_a_root_a_fraction_or_brackets_is_folded(
     assert [len(cell) for cell in cells] == [1 for _ in lines]
     if any(lines):
         assert ["".join(cell.itertext()) for cell in cells] == lines
-    # Nothing is lost, and the width of both is told.
+    # Nothing is lost, and the style gives the folded width if there is one.
     plain = "".join(fromstring(write_formula(latex))[0][0].itertext())
     assert "".join(written.itertext()).removesuffix(latex) == plain
     assert ("--folded:" in written.attrib["style"]) is bool(lines)
@@ -247,7 +247,7 @@ def test_marked_words_stand_within_their_sentence() -> None:
         r"\text{the interval of }{\color{green}{\text{the mean of }}}\text{errors}"
     )
     assert '<span class="put">the mean of </span>errors' in written
-    # Only marks of ours are known, and only around words.
+    # Only our own colours are marks.
     other = write_print(r"\text{the interval of }{\color{blue}{\text{the mean of }}}\text{errors}")
     assert "<span" not in other
 

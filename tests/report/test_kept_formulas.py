@@ -1,4 +1,4 @@
-"""Formulas are written once, and again where what writes them is another."""
+"""Formulas are written once, and again after the code that writes them has changed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def run(written: list[str], *formulas: str, display: str = "inline") -> list[str]:
-    """Write formulas as a run of its own does; `written` are those that are written anew."""
+    """Write formulas as a separate run would, and add those not found kept to `written`."""
 
     def write(latex: str, how: str) -> str:
         written.append(latex)

@@ -1,4 +1,4 @@
-"""The pages of a paper that are as before are not written again, and none of them is stale."""
+"""Unchanged pages of a paper are not written again, and none of them is stale."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from mechproof.report.site import _store, load_shares
 from mechproof.tools.cache import VARIABLE
 
 AGED = 10.0
-# What is said where papers are loaded for their pages.
+# The message shown when papers are loaded for their pages.
 LOADS = "loading what was judged before"
 SMALL = """
 from sympy import Symbol
@@ -38,14 +38,14 @@ PAPER = Paper(
 
 
 def age(file: Path) -> None:
-    """Make a file older than the load that reads it: what is as young is not kept."""
+    """Make a file older than the load that reads it: with a younger one, nothing is cached."""
     before = time.time() - AGED
     os.utime(file, (before, before))
 
 
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with one derivation, for which nothing is kept yet."""
+    """Return a folder with one derivation, for which nothing is cached yet."""
     monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
     folder = tmp_path / "derivations" / "slider_crank"
     folder.mkdir(parents=True)
@@ -55,7 +55,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def write_report(places: list[Path], *options: str) -> tuple[dict[str, str], str]:
-    """Write a report of papers; return its files and what was said."""
+    """Write a report of papers; return its pages by their names, and the output."""
     out = places[0].parents[1] / "pages"
     result = CliRunner().invoke(app, ["report", *map(str, places), "--out", str(out), *options])
     assert result.exit_code == 0, result.output
@@ -64,14 +64,14 @@ def write_report(places: list[Path], *options: str) -> tuple[dict[str, str], str
 
 
 def builds(place: Path, *options: str) -> bool:
-    """Write a report, and tell whether the pages of its paper were written for this."""
+    """Write a report; return whether the pages of its paper were made for it."""
     pages, said = write_report([place], *options)
     assert "refuted" in pages["papers/slider_crank.html"]
     return LOADS in said
 
 
 def write_small(folder: Path, small: str = SMALL) -> None:
-    """Write a derivation of one row."""
+    """Write a derivation with one row."""
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / "__init__.py"
     file.write_text(small.replace("{system}", folder.name), encoding="utf-8")
@@ -80,7 +80,7 @@ def write_small(folder: Path, small: str = SMALL) -> None:
 
 @pytest.fixture
 def pair(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path]:
-    """Two derivations of one row, for which nothing is kept yet."""
+    """Return two derivations with one row each, for which nothing is cached yet."""
     monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
     places = [tmp_path / "derivations" / name for name in ("first", "second")]
     for place in places:
@@ -146,14 +146,14 @@ def test_a_site_of_ledgers_that_are_not_kept_is_not_taken(place: Path) -> None:
         end.write("\nfrom ..helper import letter\n")
     age(place / "__init__.py")
     assert [builds(place), builds(place)] == [True, False]
-    # Younger than its load, so that the ledger is judged anew each time and the old one stays.
+    # Younger than its load, so that the ledger is judged again each time and the old one stays.
     helper.write_text("letter = 2", encoding="utf-8")
     os.utime(helper, (time.time() + AGED, time.time() + AGED))
     assert [builds(place), builds(place)] == [True, True]
 
 
 def test_a_derivation_of_one_file_is_built_each_time(place: Path) -> None:
-    # What else in its folder is of its figures is not known.
+    # It is not known which other files of its folder its figures use.
     file = place.parent / "alone.py"
     (place / "__init__.py").rename(file)
     assert [builds(file), builds(file)] == [True, True]

@@ -18,7 +18,7 @@ for_each_paper = pytest.mark.parametrize(
 
 
 def list_alike(letters: list[str]) -> list[str]:
-    """List the letters that are there twice."""
+    """List the letters that occur more than once."""
     return [letter for letter, count in Counter(letters).items() if count > 1]
 
 

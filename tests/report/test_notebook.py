@@ -1,4 +1,4 @@
-"""Notebooks: what shows itself there, and a tour run from top to bottom."""
+"""Notebooks: objects that display themselves there, and a tour run from top to bottom."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ MECHANISMS = (
 
 
 def show(thing: object) -> str:
-    """What a notebook would get, which must be well nested and run nothing."""
+    """Return the HTML that a notebook would get; it must be well nested and run nothing."""
     text: str = thing._repr_html_()  # type: ignore[attr-defined]
     page = read_page(text)
     assert page.open == []

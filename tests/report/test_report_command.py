@@ -1,4 +1,4 @@
-"""The command that writes the report: exit states, and what it refuses."""
+"""The command that writes the report: its exit status, and what it refuses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The report as one file: everything in it is named once, and links lead within it."""
+"""The report as one file: every id in it is unique, and its links stay inside it."""
 
 from __future__ import annotations
 

@@ -199,7 +199,7 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
     assert page.count("<svg") == 1
 
 
-# What is not written for compilers of arrays.
+# Quantities that are not written for compilers of arrays.
 LOW_WORDS = ("position", "ratio", "acceleration", "jerk")
 
 
@@ -328,7 +328,7 @@ def contrast(one: str, other: str) -> float:
 
 
 def find_pale(colours: dict[str, str]) -> list[str]:
-    """List pairs of text and ground that are too similar."""
+    """List the pairs of text and background whose contrast is too low."""
     pairs = [(n.removesuffix("-bg"), n) for n in colours if n.endswith("-bg")]
     texts = [name for name, _ in pairs] + ["ink", "soft", "link", "accent"]
     pairs += [(text, ground) for text in texts for ground in ("ground", "sheet")]
