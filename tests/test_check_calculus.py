@@ -279,7 +279,7 @@ NOT_PROVED = [
     (r"\int_0^l\sqrt{1+\sinh^2\frac xa}\,dx=l\sinh\frac la", ()),
     (r"\int_0^\pi\sqrt{1+\tan^2x}\,dx=0", ()),
     (r"\int_{-1}^1\sqrt{\frac1{t^2}}\,dt=2", ()),
-    # Steps that may be a whole turn, or none; terms and sums without a value.
+    # Steps that may be a whole turn, or no part of one; terms and sums without a value.
     (r"\sum_{k=0}^{n-1}\cos\frac{2\pi k}n=0", ()),
     (r"\sum_{k=0}^{n-1}\cos^2\left(x+\frac{2\pi k}n\right)=\frac n2", (r"n\ge2",)),
     (r"\sum_{k=0}^{n-1}\cos^3\left(x+\frac{2\pi k}n\right)=0", (r"n\ge3",)),

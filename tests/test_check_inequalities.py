@@ -33,7 +33,7 @@ PROVED = [
     ("(-2)^n<3^n", COUNT),
     (r"\cos n\pi\le1", COUNT),
     (r"(-1)^n+(-1)^m\le2", (r"m,n\in\mathbb N",)),
-    # Two powers to n, each with what it is multiplied by.
+    # A factorial and a power with the exponent n.
     (r"n!\le\left(\frac{n+1}2\right)^n", ()),
     (r"n!<\left(\frac{n+1}2\right)^n", (r"n\ge2",)),
     # Moduli, by their signs and by the mean value theorem.

@@ -61,7 +61,7 @@ PAPERS = [
     (WILLIS, r"$$n_3=\frac{z_1-z_3}{z_3}n_2\quad(n_1=0)$$", "REFUTED"),
     (WILLIS, r"$$n_1=\frac{z_1+z_3}{z_1}n_2,\quad n_3=0$$", "PROVED DEFINITION"),
     (WILLIS, r"$$n_1=\frac{z_1-z_3}{z_1}n_2,\quad n_3=0$$", "REFUTED DEFINITION"),
-    # A condition stated in a sentence goes on as long as nothing new is said.
+    # A condition stated in a sentence applies until the text says something new.
     (WILLIS, rf"{HELD} Hence $$z_1n_1=(z_1+z_3)n_2$$", "PROVED PROVED"),
     (WILLIS, rf"{HELD} In general $$z_1n_1=(z_1+z_3)n_2$$", "PROVED DEFINITION"),
     # An equation that prints the letter is meant for its other values, too.

@@ -282,7 +282,7 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     def answer(at: Judging, judge: Any, arguments: Any) -> Iterator[tuple[Any, Any]]:
         if judge is judge_beside:
             asked.append(arguments)
-        # First it is asked what follows from the constraints, then which of them that needs.
+        # The first question is what follows from the constraints, the second which ones it needs.
         if judge is judge_beside and len(asked) > 1:
             return ((one, WorkerError("no answer")) for one in arguments)
         return ask(at, judge, arguments)

@@ -63,7 +63,7 @@ def test_only_a_consequence_is_accused(words: str) -> None:
     assert judge("#The pin is at", PIN, f"#{words}", BELOW) == ["DEFINITION", accused]
 
 
-# Papers that may be meant truly, and papers with one wrong row, which has no words before it or
+# Papers that are true as they may be meant, and papers with one wrong row, after no words or after
 # words that announce nothing new.
 CASES: dict[str, tuple[list[str], list[str]]] = {
     "a case goes on in the displays behind it": (

@@ -19,7 +19,7 @@ def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def run(written: list[str], *formulas: str, display: str = "inline") -> list[str]:
-    """Write formulas as a separate run would, and add those not found kept to `written`."""
+    """Write formulas as a separate run would; add those missing from the store to `written`."""
 
     def write(latex: str, how: str) -> str:
         written.append(latex)
