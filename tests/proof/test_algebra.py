@@ -1,7 +1,7 @@
-"""The rungs of algebra: rational functions, circle points, square roots, opaque functions.
+"""The algebraic rungs: rational functions, circle points, square roots, opaque functions.
 
-Each table of true statements has a table of slightly wrong neighbours that the same rung must
-not accept.
+A table of true statements names the rung that must prove each; no rung may accept any of the
+slightly wrong neighbours in the other table.
 """
 
 import pytest

@@ -1,4 +1,4 @@
-"""Anchors and words of a report."""
+"""Anchor names of a report's rows, and the typesetting of its prose."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Balls: they enclose the true value (mpmath, 60 digits, as the other source) or are not finite."""
+"""Balls enclose the true value (independently from mpmath, 60 digits) or are not finite."""
 
 import mpmath
 import pytest

@@ -1,4 +1,4 @@
-"""The cache of verdicts: what is judged anew, and what is not."""
+"""The verdict cache: which rows are judged again, and which are not."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def judged(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[str]]:
-    """Judge a paper of rows; return the numbers of those that were judged anew."""
+    """Return a function that judges a paper of given rows and lists those not from the cache."""
 
     def run(*rows: str, words: str = "", use_cache: bool = True) -> list[str]:
         numbers: list[str] = []
@@ -146,7 +146,7 @@ def test_without_the_cache_all_rows_are_judged(
 def test_another_rung_judges_anew(
     judged: Callable[..., list[str]], folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The prover is copied, one rung of the copy edited, and its sources are those that count."""
+    """The keys depend on a copy of the prover's sources, in which one rung is then edited."""
     copies = folder / "proof"
     shutil.copytree(Path(algebra.__file__).parent, copies)
     monkeypatch.setattr(verdict_cache, "prover_sources", lambda: sorted(copies.glob("*.py")))
@@ -175,9 +175,9 @@ def test_the_verdict_of_another_prover_replaces_the_old_one(
 
 
 def test_the_sources_of_the_prover_are_all_it_imports() -> None:
-    """A module that a verdict depends on and that no key covers would go unnoticed.
+    """A change in a module that verdicts depend on but no key covers would go unnoticed.
 
-    How a notebook shows them and where they are kept changes none.
+    The two exceptions show and store verdicts and so change none.
     """
     other = (
         "from mechproof.tools.cache import Store, make_key, name_place",

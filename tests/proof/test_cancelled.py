@@ -1,4 +1,4 @@
-"""What SymPy cancels while a print is read: a quotient of zeros has no value."""
+"""Divisors that SymPy cancels while a print is read: a quotient of zeros has no value."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# Each is true where its letters are free, and has no value for these.
+# Each is true for free letters and has no value at the given one.
 GIVEN = [
     (r"\frac{a-b}{a-b}=1", "a=b"),
     (r"\frac{(a+b)(a-b)}{a-b}=a+b", "a=b"),
@@ -38,7 +38,7 @@ NEVER = [
     (r"\frac{n-7}{n-7}=1", ""),
     (r"\frac{(n^2-49)x}{n^2-49}=x", ""),
 ]
-# These have none where a letter is bound, or for a matrix that has no inverse.
+# The same under a binding operator, and for a matrix without an inverse.
 NEVER += [
     (rf"{binding}\frac{{\sin^2x+\cos^2x-1}}{{\sin^2x+\cos^2x-1}}{rest}", "")
     for binding, rest in [
@@ -54,7 +54,7 @@ GIVEN += [
     (r"\int_0^1\frac xx\,dt=1", "x=0"),
     (rf"{_DIAGONAL}{_DIAGONAL}^{{-1}}={_UNITY}", "x=0"),
 ]
-# Of whole numbers n; SymPy 1.14 takes the first two tangents for 0, the next for \tan x.
+# For whole numbers n: SymPy 1.14 evaluates the first two tangents to 0, the third to \tan x.
 TANGENTS = [
     (r"\tan\left(n\pi+\frac\pi2\right)=0", ""),
     (r"\lim_{x\to n\pi+\frac\pi2}\tan x=0", ""),
@@ -64,7 +64,7 @@ TANGENTS = [
     (r"\sum_{k=1}^n\tan\left(k\pi+\frac\pi2\right)=0", ""),
     (r"\cot\left(n\pi\right)-\cot\left(n\pi\right)=0", ""),
 ]
-# Sums keep what their terms have lost, whatever divides them.
+# A sum keeps the conditions of divisors cancelled in its terms, however the division is written.
 SUMS = [r"\sum_{n=1}^5\frac{n-3}{n-3}=5", r"\sum_{n=1}^5(n-3)(n-3)^{-1}=5"]
 
 
@@ -122,7 +122,7 @@ def test_single_places_without_a_value_are_left_out(latex: str) -> None:
     assert judge(latex) is Verdict.PROVED
 
 
-# A zero of what is cancelled is no counterexample; the step of each first side lies there.
+# A zero of a cancelled divisor is no counterexample, though the left side has its step there.
 HOLES = [
     (r"\operatorname{sgn}(x)^2=\frac xx", Verdict.PROVED),
     (r"\operatorname{sgn}x=\frac xx", Verdict.REFUTED),
@@ -151,7 +151,7 @@ ENDLESS = [
     (r"\lim_{x\to-\infty}x^3=\infty", Verdict.REFUTED),
     (r"\lim_{x\to0}\frac1{x^2}=\infty", Verdict.PROVED),
     (r"\lim_{x\to0}\frac1{x^2}=1", Verdict.REFUTED),
-    # From both sides it goes to unlike ends; within a formula infinity is no number.
+    # The one-sided limits differ; inside a formula infinity is not a number.
     (r"\lim_{x\to0}\frac1x=\infty", Verdict.UNDECIDED),
     (r"\lim_{x\to\infty}x-\lim_{x\to\infty}x=0", Verdict.UNDECIDED),
     (r"\lim_{x\to\infty}x=1+\lim_{x\to\infty}x", Verdict.UNDECIDED),

@@ -1,4 +1,4 @@
-"""Sides by pieces, and letters with few values, are proved equal case by case."""
+"""Piecewise sides, and sides with letters of few values, are proved equal case by case."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
 @pytest.mark.parametrize(
     ("printed", "rebuilt", "verdict"),
     [
-        # Other seams, where both are the same.
+        # Other seams: harmless only where both pieces have the same value.
         (PIECES, sp.Piecewise((1 - x, x <= 1), (x**2 - 2 * x + 1, True)), Verdict.PROVED),
         (PIECES, sp.Piecewise((1 - x, x < 2), ((x - 1) ** 2, True)), Verdict.REFUTED),
         (
@@ -32,7 +32,7 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
             sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2 + sp.Rational(1, 99), True)),
             Verdict.REFUTED,
         ),
-        # Seams that a letter says.
+        # Seams at a letter.
         (
             sp.Piecewise((x, x <= y), (y, True)),
             sp.Piecewise((x, x < y), (y, True)),
@@ -43,11 +43,11 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
             sp.Piecewise((x, x < 2 * y), (y, True)),
             Verdict.REFUTED,
         ),
-        # True in its piece only.
+        # Each piece equals the other side on its own part only.
         (sp.Piecewise((x, x >= 0), (-x, True)), sp.sqrt(x**2), Verdict.PROVED),
         (sp.Piecewise((x - y, x >= y), (y - x, True)), sp.Abs(x - y), Verdict.PROVED),
         (sp.Piecewise((x, x >= 0), (x, True)), sp.sqrt(x**2), Verdict.REFUTED),
-        # A piece that nothing of the domain lies in.
+        # A piece outside the domain.
         (sp.Piecewise((x, x < 5), (y, True)), x, Verdict.PROVED),
         (s**2 * x + 1 / s, x + s, Verdict.PROVED),
         (s**2 * x + 1 / s, x - s, Verdict.REFUTED),
@@ -103,7 +103,7 @@ def test_a_seam_counts_unless_the_domain_leaves_it_out(
 def test_a_condition_on_a_bound_symbol_makes_no_cases(
     bind: Callable[[sp.Expr], sp.Expr],
 ) -> None:
-    """The symbol of the integral is another one than the x beside it."""
+    """The bound symbol is not the free x of the same name next to it."""
     piece = sp.Piecewise((1, x > 0), (0, True))
     assert decide_by_pieces((piece, x), DOMAIN, lambda *_: "any") == "case by case, any"
     assert decide_by_pieces((x + bind(piece), piece), DOMAIN, lambda *_: "any") is None

@@ -1,4 +1,4 @@
-"""Whole numbers at which a divisor is zero: what holds beside them may be false there."""
+"""Whole numbers at which a divisor is zero: what holds for all others may be false there."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
-# What holds for counts n and m where these conditions are met, and not without the last of them.
+# True for counts n and m under the given condition, and not proved without it.
 ROWS = [
     (r"\int_0^\pi\cos((m-n)x)\,dx=0", r"m\ne n"),
     (r"\int_0^\pi\cos((m-n)x)\,dx=0", "m>n"),
@@ -23,7 +23,7 @@ ROWS = [
     (r"\int x^{n-18}\,dx=\frac{x^{n-17}}{n-17}+C", "n>17"),
     (r"\sum_{k=1}^nm^k=\frac{m^{n+1}-m}{m-1}", "m>1"),
 ]
-# These hold for all counts from 1 on, and not for 0.
+# True for all counts from 1 onwards, but not for 0.
 FROM_ONE = [
     r"\int_0^\pi\cos(nx)\,dx=0",
     r"\int_0^{2\pi}\sin^2(nx)\,dx=\pi",

@@ -1,4 +1,4 @@
-"""Needs: what is shown of them, and when two sides need the same."""
+"""Conditions under which an expression has a value: which are shown, and which sides share them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_what_is_shown_is_not_listed() -> None:
         ((sp.sqrt(x), sp.log(x)), False),
         ((sp.sqrt(x), sp.sqrt(x) + sp.sqrt(y)), False),
         ((sp.sqrt(x), sp.S.Zero), False),
-        # Of a sum it is not known, even if it is the same.
+        # Unknown for a sum, even if both sides are identical.
         ((sp.sqrt(x) + sp.Sum(sp.log(x + k), (k, 1, 3)),) * 2, False),
     ],
 )
@@ -76,7 +76,7 @@ def test_where_one_side_only_is_defined_nothing_is_proved(printed: str) -> None:
     assert judge(printed)[0] not in ACCEPTED
 
 
-# What is under a sum or an integral, where it is shown to have values and where it is not.
+# Summands and integrands that have values on one domain and, on a wider one, do not.
 INSIDE = [
     (r"\int_0^a\sqrt x\sqrt x\,dx=\frac{a^2}2", "a>0", ""),
     (r"\int_0^a(\sqrt{1-x})^2\,dx=a-\frac{a^2}2", "0<a<1", "a>0"),

@@ -1,4 +1,4 @@
-"""Physical dimensions: what agrees, what is mixed, and the change of units that shows it."""
+"""Physical dimensions: sound and mixed ones, and the change of units that exposes a mixture."""
 
 from fractions import Fraction
 

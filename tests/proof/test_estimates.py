@@ -1,4 +1,4 @@
-"""SymPy's estimates of integrals and sums are kept away from proofs, and only from these."""
+"""SymPy's numerical estimates of integrals and sums are refused in proofs, and only there."""
 
 from __future__ import annotations
 

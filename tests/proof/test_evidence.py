@@ -323,7 +323,7 @@ def test_letters_of_ours_are_written_by_those_of_the_paper() -> None:
     assert show(2 * k) == r"\frac{2 \varphi_3(\varphi_1)}{\varphi_1}"
     assert show(sp.Integral(k * bound, (bound, 0, e))).count("k") == 0
     assert show(k + word) == r"\mathrm{largest} + \frac{\varphi_3(\varphi_1)}{\varphi_1}"
-    # A letter that is given by much more is left as it is.
+    # A letter given by a much longer expression is not replaced.
     much = Variable(k, "ours", given=sum(phi**n for n in range(20)))
     long = Paper("system", "citation", (*VARIABLES, much), ())
     assert judge(row(Equality(e, k)), long).compared_with == "k"

@@ -89,7 +89,7 @@ def test_what_follows_is_listed_under_its_cause_and_not_counted_again() -> None:
 @pytest.mark.parametrize(
     ("row", "follower"),
     [
-        # Our side of (5) has the print, too: it stays.
+        # Our side of (5) contains the print as well: there it stays.
         (IN_OTHER_LETTERS, FollowingRow("(5)", renamed=RENAMED)),
         (A_PART, FollowingRow("(6)", parts={sp.cos(phi): sp.sin(phi)})),
         (MEMBERS, FollowingRow("(7)")),

@@ -1,4 +1,4 @@
-"""Keys of records: equal for equal ones, in every process, and for nothing else."""
+"""Keys of records: the same in every process for equal records, and different for all others."""
 
 from __future__ import annotations
 

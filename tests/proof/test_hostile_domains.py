@@ -1,4 +1,4 @@
-"""Domains that reach a statement through letters that it does not contain, and empty ones."""
+"""Domains that constrain a statement through letters it does not contain, and empty ones."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ TRUE = [
     (r"\sum_{k=1}^na_k<0", ("a_k<b", "b<0"), ()),
     ("(-1)^n=1", (r"n\ge2m", r"n\le2m"), NM),
     ("|n-3|=n-3", ("n>p", "p>3"), N),
-    # Chains, of strict and other signs, down to a number.
+    # Chains of strict and weak inequalities down to a number.
     ("|x-1|=x-1", ("x>y", "y>z", "z>1"), ()),
     ("|n-9|=n-9", (r"n\ge m", r"m\ge q", "q>8"), NM),
     ("n>30", ("n>p", "p>q", "q>30"), N),
     ("n^2>1000", ("n>p", "p>q", "q>40"), N),
     (r"\sqrt{x^2}=x", ("x>2y", "y>3z", "z>1"), ()),
     ("x<1", (r"x<\frac y2", r"y\le z", "z<2"), ()),
-    # In a circle: equalities among inequalities.
+    # Circular inequalities that imply equalities.
     ("2x=2y", (r"x\le y", r"y\le x"), ()),
     ("2x=2z", (r"x\le y", r"y\le z", r"z\le x"), ()),
     ("2n=2m", (r"n\le m", r"m\le n"), NM),
     ("|x-2|=0", (r"x\le y", r"y\le2", r"x\ge2"), ()),
     ("2n=4", (r"n\le p", "p<3", r"n\ge q", "q>1"), N),
-    # Through what is no straight line.
+    # Through nonlinear relations.
     ("n>30", ("n^2>p", "p>1000"), N),
     ("|x|<1", ("x^2+y^2<1",), ()),
     (r"x<\frac12", ("x<y^2", r"y^2<\frac12", "y>0"), ()),
@@ -48,7 +48,7 @@ TRUE = [
     ("n!>100", ("2n>p", r"p\ge9"), N),
     ("x>0", ("x>y", r"y>\sin z", r"\sin z>0"), ()),
     (r"x\ge1", ("x>y", r"y>\ln z", r"z>\mathrm{e}"), ()),
-    # Families that are tied to others.
+    # Families bounded by other families or letters.
     (r"\sum_{k=1}^2a_k<0", ("a_k<b_k", "b_k<0"), ()),
     (r"\sum_{k=1}^3a_k>3", ("a_k>c", "c>1"), ()),
     (r"a_1<a_2", (r"a_1<b", "b<a_2"), ()),
@@ -67,7 +67,7 @@ FALSE = [
     (r"\sum_{k=1}^3a_k>0", ("a_k<b_k", "b_k<0"), ()),
 ]
 FAR = [
-    # Where a statement fails only far from zero.
+    # False only far from zero.
     (r"\max(x,-10^9)=x", (), ()),
     (r"\min(x,10^9)=x", (), ()),
     ("|x+5000|=x+5000", (), ()),
@@ -76,10 +76,10 @@ FAR = [
     (r"\operatorname{sgn}(x+2000)=1", (), ()),
     ("n<100", (), N),
     ("n^2<10^6", (), N),
-    # A power of -1 is a number, whatever SymPy says.
+    # A whole power of -1 is a real number, whatever SymPy says.
     (r"(-1)^{\frac{n(n+1)}2}=1", (), N),
     (r"(-1)^{\frac{n(n+1)}2}<1", (), N),
-    # Sets that are no rational relation says.
+    # Domains that no rational relation describes.
     ("|x|=x", (r"\sin x>0",), ()),
     (r"\min(x,1)=x", (r"\max(x,1)>2",), ()),
     ("|x|=x", (r"\max(x,-x)>x",), ()),
@@ -113,7 +113,7 @@ EMPTY = [
 ]
 
 
-# Of like domains some are judged with the thorough tests.
+# Some of several similar domains are judged only with the thorough tests.
 LONG = ("|n-9|=n-9", "n^2>1000", "n>30", "2x=2z", r"\sum_{k=1}^na_k<0")
 
 

@@ -1,4 +1,4 @@
-"""Inequalities for all whole numbers, from one to the next: true ones are proved, no twins."""
+"""Inequalities proved by induction over whole numbers: true ones are proved, their twins not."""
 
 from __future__ import annotations
 

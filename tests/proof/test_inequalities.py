@@ -1,4 +1,4 @@
-"""Inequalities beyond positive coordinates: true ones are proved, no twins."""
+"""Inequalities beyond positive coordinates: true ones are proved, their twins are not."""
 
 from __future__ import annotations
 

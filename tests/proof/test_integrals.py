@@ -1,4 +1,4 @@
-"""Definite integrals: the value of an antiderivative that is proved to be one, and nothing else."""
+"""Definite integrals: only an antiderivative proved to be one gives their value."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inverse functions, sums of angles and of logarithms, roots: true ones are proved, no twins."""
+"""Inverse functions, sums of angles and logarithms, roots: true ones are proved, twins are not."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How answers become the verdict of a row: correction, reading, part, marks."""
+"""How answers become a row's verdict: correction, reading, part, marks."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Every row of the table of integrals is that of a numerical integration, and converges there."""
+"""Every integral in the table converges and has the value found by numerical integration."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import sympy as sp
 
 from mechproof.proof.known_integrals import KNOWN, KnownIntegral, X
 
-# Letters with which all rows but the last of these converge.
+# With these letters all rows converge, except some that need `BETWEEN`.
 LETTERS = {"a": sp.Rational(3, 2), "b": sp.Rational(4, 3), "n": sp.Integer(3)}
 LETTERS |= {"c": sp.S.Half, "p": sp.Rational(1, 3), "q": sp.Rational(-1, 4), "m": sp.Rational(5, 2)}
 BETWEEN = {**LETTERS, "a": sp.Rational(-1, 3)}
 SWINGING = (sp.sin, sp.cos)
 TOLERANCE = 1e-2
-# So near the end of an interval numbers are not rounded to the end.
+# A distance from the ends of an interval that rounding does not remove.
 TINY = 1e-12
 
 
@@ -48,7 +48,7 @@ def test_a_row_has_its_value(row: KnownIntegral) -> None:
 
 
 def integrate_waves(f: Callable[[Any], Any]) -> Any:
-    """Integrate by Abel's means, whose limit is the integral where that converges; by squares."""
+    """Extrapolate Abel means with a factor exp(-x²/rate); their limit is a convergent integral."""
 
     def mean(rate: int) -> Any:
         ends = [mpmath.sqrt(n * mpmath.pi) for n in range(4 * rate)]

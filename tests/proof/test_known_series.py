@@ -15,10 +15,10 @@ TERMS = 2000
 
 
 def is_its_sum(series: endless_sums._Series) -> bool:
-    """Add the terms from the quotients alone.
+    """Return whether the first `TERMS` terms, computed from their quotients, add up to the value.
 
-    What is left out of a sum of 1/n^p is at most (TERMS + 2) times the next term, by its integral,
-    and less elsewhere; each addition rounds a number below 3.
+    The remainder of a sum of 1/n^p is at most (TERMS + 2) times the next term, by comparison with
+    an integral, and that of the other series is less; each addition rounds a number below 3.
     """
     a, j = endless_sums._A, endless_sums._J
     quotient = sp.lambdify(j, series.quotient.subs(a, PLACE))

@@ -1,4 +1,4 @@
-"""Limits: those are worked out that are shown, from the sides on which there are values."""
+"""Limits are replaced by their values only where these are shown, on the sides that have values."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ def test_a_limit_is_proved_and_another_value_refuted(limit: str) -> None:
         sp.Limit(sp.sin(x), x, sp.oo),
         sp.Limit(sp.sin(1 / x), x, 0, "+"),
         sp.Limit(sp.exp(x * sp.sin(x)), x, sp.oo),
-        # Within a formula infinity is no number.
+        # Inside a formula infinity is not a number.
         1 + sp.Limit(x**x, x, sp.oo),
         sp.Limit((a - 1) * x, x, sp.oo),
-        # Where there are no values there is no limit.
+        # No limit where the function has no values.
         sp.Limit(x * sp.log(x), x, 0, "-"),
         sp.Limit(sp.log(1 - x) - sp.log(2 - x), x, sp.oo),
         sp.Limit((-2) ** (-x), x, sp.oo),

@@ -1,4 +1,4 @@
-"""The commonest misprints get a verdict with what should be printed; our own faults get none."""
+"""The commonest misprints get a verdict and a correction; our own faults get no verdict."""
 
 from __future__ import annotations
 

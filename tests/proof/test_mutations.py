@@ -1,8 +1,8 @@
-"""Slightly wrong neighbours of the proved formulas of the five papers, generated in number.
+"""Many generated, slightly wrong neighbours of the proved formulas of the five papers.
 
 Every mutant of a printed or rebuilt side is compared with the other side by balls. A mutant
-that balls separate must not be PROVED; one that they do not separate is an equivalent mutant,
-and of those there must be few.
+that balls separate must not be PROVED; one that they do not separate counts as an equivalent
+mutant, of which there must be few.
 """
 
 from functools import cache
@@ -21,13 +21,13 @@ from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
 from mechproof.statement_domains.domain import Domain
 
-# The first batches are run with every test, all with the thorough ones.
+# The first batches run each time, the others only with the thorough tests.
 BATCHES = 24
 ENTRIES, PER_SIDE = 2, 3
 LEAST, LEAST_ROWS = 600, 120
-# Larger statements, and those with integrals in the longer derivations, take seconds each.
+# In the longer derivations, larger statements and those with integrals take seconds each.
 MOST_OPERATIONS = 120
-# In a batch of some twenty: a swap of what occurs symmetrically, a change of what cancels.
+# In a batch of some twenty: swaps of symmetric letters, changes of terms that cancel.
 MOST_EQUIVALENT = 4
 SHORT = ("elliptic_planetary", "track_wheel")
 LONG = ("oval_planetary", "tooth_thickness", "wedge_linkage")
@@ -44,12 +44,12 @@ SLOW = (
     "Fig. 3, formula used",
     "(11) over all turns",
 )
-# Rows of which a mutant takes seconds, too: they come with the thorough ones.
+# Rows whose mutants also take seconds: they are kept out of the first batch.
 DEAR = ("wedge_linkage chain, velocity", "elliptic_planetary jerk, largest before half a turn")
 
 
 def replace_at(node, change):
-    """Yield the expressions in which one subexpression is changed, outermost first."""
+    """Yield the copies of `node` in which `change` alters one subexpression, outermost first."""
     for changed in change(node):
         if changed != node:
             yield changed
@@ -126,7 +126,7 @@ WHOLE = (add_a_constant, let_it_jump, swap_two_symbols)
 
 
 def mutate(expression):
-    """Yield unlike mutants, the kinds of mutation taking turns."""
+    """Yield distinct mutants, one of each kind of mutation in turn."""
     kinds = [replace_at(expression, change) for change in LOCAL]
     kinds += [change(expression) for change in WHOLE]
     seen = {expression}
@@ -141,7 +141,7 @@ def mutate(expression):
 
 
 def entries(statement):
-    """Yield the scalar equalities of a statement, matrices entry by entry."""
+    """Yield the scalar equalities of a statement; of a matrix equality, the first three entries."""
     if isinstance(statement, Conjunction):
         for part in statement.parts:
             yield from entries(part)
@@ -153,7 +153,7 @@ def entries(statement):
 
 
 def mutants_of(paper):
-    """Yield (name, mutant, other side, domain) for the right equality of each row."""
+    """Yield (name, mutant, other side, domain) for the correct equalities of each row."""
     for row in paper.rows:
         if row.number in SLOW:
             continue
@@ -170,12 +170,12 @@ def mutants_of(paper):
 
 
 def is_cheap(difference):
-    """Tell whether a mutant is decided in a fraction of a second."""
+    """Return whether mutants of this difference are decided in a fraction of a second."""
     return not difference.has(sp.Integral) and difference.count_ops() <= MOST_OPERATIONS
 
 
 def has_proper_integrals(mutant, domain):
-    """Leave out integrals over poles: balls take seconds to find that they have no value."""
+    """Return whether no integral runs over a break, where balls take seconds to find no value."""
     return all(
         find_break(node.function, node.limits[0][0], domain) is None
         for node in mutant.atoms(sp.Integral)
@@ -188,7 +188,7 @@ def collect_mutants():
 
 
 def list_batches():
-    """Share the mutants out: the first batch, run with every test, has none that is dear."""
+    """Distribute the mutants in batches; the first, which always runs, gets no slow ones."""
     batches = [[] for _ in range(BATCHES)]
     for number, mutant in enumerate(collect_mutants()):
         batch = number % BATCHES

@@ -1,4 +1,4 @@
-"""Roots: enclosed in balls, and shown to be what Newton's steps lead to, or told why not."""
+"""Roots: enclosed in balls, and shown to be the limit of Newton's steps, or the reason why not."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_a_point_refutes_where_newton_leaves() -> None:
 
 
 def test_another_root_is_no_bound() -> None:
-    """Only the distance of the iterate from its own root is read."""
+    """Only the distance of an iterate from its own root is bounded."""
     root = Root(x**2 - 2, (x, 1, 2), steps=6)
     other = Root(x**2 - 3, (x, 1, 2), steps=6)
     distance = sp.Abs(LastIterate.towards(other) - root)

@@ -1,4 +1,4 @@
-"""The numbers in the text of evidence are numbers for who computes on."""
+"""Numbers in the text of evidence are also given as numbers for further computation."""
 
 from __future__ import annotations
 

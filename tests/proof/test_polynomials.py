@@ -20,7 +20,7 @@ from mechproof.arithmetic.polynomials import (
 
 c, s, r, x = sp.symbols("c s r x", real=True)
 CIRCLE = {s**2: 1 - c**2}
-# The root's square holds the circle's generators.
+# The square of the root r contains a generator of the circle.
 ROOT = {**CIRCLE, r**2: 2 + s}
 
 
@@ -63,7 +63,7 @@ def test_what_is_no_polynomial_is_refused(node: sp.Expr) -> None:
         (c / s - s * c / (1 - c**2), CIRCLE, True),
         (c / s - s / c, CIRCLE, False),
         ((s**2 + c**2 - 1) ** 3 / (1 + x), CIRCLE, True),
-        # Below is zero by the relation: nothing is shown.
+        # The denominator is zero by the relation, so nothing is shown.
         (sp.Mul(x, 1 / (s**2 + c**2 - 1), 1 - c**2 - s**2, evaluate=False), CIRCLE, False),
         (x / (s**2 + c**2 - 1) - 2 * x / (2 * s**2 + 2 * c**2 - 2), CIRCLE, False),
     ],
@@ -146,7 +146,7 @@ def test_quotients_are_cancelled_and_factored_as_by_sympy(quotient: sp.Expr) -> 
         sp.Integer(12),
         sp.Integer(0),
         sp.Mul(0, x + 1, evaluate=False),
-        # Of other letters, the same factor.
+        # The same factor, written with other letters.
         (x + 1) * (x * c + c),
         x * (x * c + x),
         (x - c) * (x * r - c * r),

@@ -1,4 +1,4 @@
-"""Logarithms and powers in one form, and sums by induction: true ones are proved, no others."""
+"""Normal forms of logarithms and powers, sums by induction: true ones are proved, no others."""
 
 from __future__ import annotations
 

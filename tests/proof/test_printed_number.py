@@ -1,4 +1,4 @@
-"""Printed numbers: half a unit of the last place, and neither more nor less."""
+"""Printed numbers hold to half a unit in the last place, neither more nor less."""
 
 import pytest
 import sympy as sp

@@ -1,4 +1,4 @@
-"""Random statements by a fixed seed: what is proved must hold at points the prover never saw."""
+"""Random statements from fixed seeds: what is proved must hold at points the prover never saw."""
 
 import random
 from contextlib import suppress
@@ -57,7 +57,7 @@ def expression(draw: random.Random, depth: int) -> sp.Expr:
 
 
 def real_expression(draw: random.Random, depth: int) -> sp.Expr:
-    """Draw until SymPy takes it for an expression over the real numbers."""
+    """Draw expressions until SymPy evaluates one to a finite expression over the reals."""
     while True:
         with suppress(ValueError):
             drawn = expression(draw, depth)

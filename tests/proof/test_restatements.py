@@ -1,4 +1,4 @@
-"""A correction and a reading concern their row: what is true of something else is an error."""
+"""Corrections and readings concern their row: a true statement of something else is an error."""
 
 from __future__ import annotations
 

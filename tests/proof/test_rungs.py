@@ -1,4 +1,4 @@
-"""Every rung that occurs has an explanation, and stands in the ledger's table once."""
+"""Every rung that occurs has an explanation, which appears once in the ledger's table."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_every_rung_that_occurs_is_explained() -> None:
 
 
 def list_documented() -> list[list[str]]:
-    """List the table of examples: kinds of statements, a print, where it is meant, its rung."""
+    """List the rows of the table of examples: kind of statement, print, domain, rung."""
     page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     table = page.split("| statements |")[1].split("\n\n")[0]
     lines = (line.strip("| ").split(" |") for line in table.splitlines()[2:])

@@ -1,4 +1,4 @@
-"""Numbers below their separation bounds are zero, and no others are."""
+"""Numbers below their separation bounds are proved zero, and no others are."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sign rung: true inequalities are proved, neighbours and inequalities false at an end not."""
+"""The sign rung proves true inequalities, but no neighbours and none that fails at an end."""
 
 import pytest
 import sympy as sp
@@ -21,13 +21,13 @@ UNIT = {x: sp.Interval(0, 1)}
 HALF_OPEN = {x: sp.Interval.Ropen(0, 1)}
 OPEN = {x: sp.Interval.open(0, 1)}
 RUNG = "sign in positive coordinates"
-# It is 1 - x*cos(y).
+# Equal to 1 - x*cos(y).
 TANGENT_OF_HALF = sp.cos(y) - x + sp.tan(y / 2) * sp.sin(y) * (1 + x)
 PRODUCT_OF_ROOTS = sp.sqrt((1 + x) / (1 - x)) * sp.sqrt(1 - x**2)
 
 
 def later(kind, left, right):
-    """A relation that SymPy does not decide by itself."""
+    """Return the relation without letting SymPy evaluate it."""
     return kind(left, right, evaluate=False)
 
 

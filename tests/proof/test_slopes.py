@@ -1,4 +1,4 @@
-"""Values, slopes and bends of expressions over boxes, beside those of SymPy."""
+"""Values, slopes and bends of expressions over boxes, compared with SymPy's."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def resolve(expression: sp.Expr) -> Any:
 
 
 def differentiate(expression: sp.Expr, symbol: sp.Symbol) -> Any:
-    """Differentiate off the kinks."""
+    """Differentiate `expression` away from its kinks, where the delta functions vanish."""
     slope = sp.diff(expression, symbol).replace(sp.DiracDelta, lambda *a: sp.S.Zero)
     return slope.replace(sp.Heaviside, lambda a, *rest: (1 + sp.sign(a)) / 2)
 
@@ -90,7 +90,7 @@ def test_at_a_kink_the_slopes_of_both_sides_are_given_and_no_bend() -> None:
 def test_beyond_a_kink_nothing_counts() -> None:
     tape = GradientTape(sp.Max(1, x * sp.sqrt(x)) + y, {})
     _, slopes = tape.differentiate({x: arb(0), y: arb(1)}, [x, y])
-    # The root has no slope at 0, but lies below the 1.
+    # The square root has no slope at 0, but there the maximum is the 1.
     assert slopes[x] == [0]
     assert slopes[y] == [1]
 
@@ -121,7 +121,7 @@ def test_what_was_sent_is_the_same_operations() -> None:
 
 
 def test_a_bound_symbol_is_not_what_is_given_by_its_name() -> None:
-    """The k that is counted is not the k that stands for x + y."""
+    """The summation index k is not the k that is given as x + y."""
     k = sp.Symbol("k", integer=True)
     tape = GradientTape(sp.Sum(k * g, (k, 1, 3)) + k, {g: k * x, k: x + y})
     values = {x: arb(2), y: arb(3)}

@@ -18,7 +18,7 @@ DELTA = sp.KroneckerDelta(i, j)
 
 
 def total(term, *indices):
-    """Sum over indices from 1 to n."""
+    """Return the sum of `term` with every index running from 1 to n."""
     return sp.Sum(term, *((index, 1, n) for index in indices))
 
 

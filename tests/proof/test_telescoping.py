@@ -1,4 +1,4 @@
-"""Sums whose terms hold the count, products, and powers of a count: no twin is accepted."""
+"""Sums whose terms contain the count, products, and powers of a count: no twin is accepted."""
 
 from __future__ import annotations
 
@@ -273,7 +273,7 @@ def test_a_sum_is_proved_and_its_neighbour_not_accepted(
         (CHOOSE, 1, 2**n),
         (CHOOSE, 0, (n - 1) * 2**n),
         (CHOOSE * (-1) ** k, 0, sp.S.One),
-        # For k = n a factorial of -1 stands in it.
+        # It contains the factorial of -1 at k = n.
         (sp.factorial(n) / sp.factorial(k) / sp.factorial(n - k - 1), 0, n * 2 ** (n - 1)),
     ],
     ids=["another start", "a term less", "zero at the start", "never", "no factorial"],

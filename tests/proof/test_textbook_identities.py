@@ -1,8 +1,8 @@
-"""Consecutive identities of a table, each beside a false twin: none convicted, no twin accepted.
+"""Consecutive identities of a table, each with a false twin: none convicted, no twin accepted.
 
-The NIST Digital Library of Mathematical Functions, sections 4.21 and 4.35, in order and for real
-arguments: a sign ± is two rows, a chain one row a sign; where a root's sign depends on the
-quadrant, the last column says it. Left out are 4.21.34 and 4.21.37 to 4.21.40, which are complex.
+From the NIST Digital Library of Mathematical Functions, sections 4.21 and 4.35, in order and for
+real arguments: a ± makes two rows, a chain one row per equals sign; where a root's sign depends on
+the quadrant, the last column gives it. 4.21.34 and 4.21.37 to 4.21.40 are complex and left out.
 """
 
 import csv

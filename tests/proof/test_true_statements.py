@@ -204,7 +204,7 @@ def test_it_is_proved(name: str) -> None:
     assert verdict_of(PROVED[name]) is Verdict.PROVED
 
 
-# These integrals are enclosed at many points: seconds each.
+# Enclosing these integrals at many points takes seconds each.
 SLOW = ("integral of a root", "integral of the absolute value", "length of a parabola")
 
 

@@ -1,4 +1,4 @@
-"""What cannot be evaluated as printed: missing differential, unbound symbol, mixed units."""
+"""Prints that cannot be evaluated: a missing differential, an unbound symbol, mixed units."""
 
 import pytest
 import sympy as sp
