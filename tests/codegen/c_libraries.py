@@ -1,4 +1,4 @@
-"""Kernels in C: the compiler and its flags, what is compiled, and libraries of it."""
+"""Kernels in C for tests: the compiler and its flags, the sources, and loaded libraries."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from mechproof.programs.scalar import list_scalars
 COMPILER = shutil.which("cc")
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 WARNED = ("-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
-# Without a fused multiply-add in hardware, as compilers take it unless they are told.
+# Without a fused multiply-add in hardware, the default target of compilers.
 PORTABLE = ("-std=c99", *WARNED, "-ffp-contract=off")
 
 
 def list_fused() -> tuple[str, ...]:
-    """List the flags with which sources call fma; where no hardware has it, that of libm."""
+    """List the flags that make sources call fma, which is libm's where the hardware has none."""
     if platform.machine().lower() not in ("x86_64", "amd64"):
         return ()
     known = Path("/proc/cpuinfo")
@@ -45,7 +45,7 @@ def kernels_of(system: str) -> dict[str, Kernel]:
 
 
 def find_kernel(name: str) -> Kernel:
-    """Find a kernel by system.quantity."""
+    """Return the kernel named `system.quantity`."""
     system, _, quantity = name.partition(".")
     return kernels_of(system)[quantity]
 
@@ -57,7 +57,7 @@ def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ct
 
 @cache
 def render(system: str, single: bool) -> dict[str, str]:
-    """Render the kernels of a system, in float without a search for their errors."""
+    """Render the kernels of a system; in float, skip the search for their errors."""
     errors = dict.fromkeys(kernels_of(system), "not searched for")
     return render_c(paper_of(system), errors=errors if single else None)
 

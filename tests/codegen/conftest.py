@@ -1,4 +1,4 @@
-"""Libraries of kernels in C, for all tests of what is emitted."""
+"""Libraries of kernels in C, shared by all tests of emitted code."""
 
 from __future__ import annotations
 

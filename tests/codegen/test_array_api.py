@@ -31,7 +31,7 @@ pytestmark = pytest.mark.xdist_group("codegen/test_formula_languages.py")
 
 RESTS, SUM_RESTS = "quotient_rest, product_rest, small_tangent", "sum_rest, product_rest"
 AXES = "no axes of any length"
-# Why a quantity has none, and which forms are offered.
+# Why a quantity has no such formula, and which of its forms are offered instead.
 REFUSED = {
     "elliptic_planetary.acceleration": (RESTS, "acceleration_direct acceleration_half_angle"),
     "elliptic_planetary.jerk": (RESTS, "jerk_direct"),
@@ -55,7 +55,7 @@ REFUSED = {
 }
 # The others are compiled in the thorough tests.
 ALWAYS = ("elliptic_planetary", "wedge_linkage")
-# What JAX does not do unless it is told to: sums and products as if they were exact.
+# Not JAX's default: rearrange sums and products as if they were exact.
 FAST = {"xla_cpu_enable_fast_math": True}
 
 
@@ -114,7 +114,7 @@ def test_forms_that_are_offered_are_proved_to_be_equal() -> None:
 def test_low_words_are_lost_where_compilers_do_what_they_may(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What is refused keeps its bound operation by operation and loses it; what is not keeps it."""
+    """Fast math breaks the bound of a refused formula, which NumPy keeps, but not of another."""
     name, other = "elliptic_planetary.ratio", "elliptic_planetary.largest_acceleration"
     monkeypatch.setattr(standalone_functions, "_refuse_rests", lambda *_: None)
     text = write(paper_of("elliptic_planetary"))

@@ -1,4 +1,4 @@
-"""Kernels in C: compiled without a warning, within the bounds, with the bits of numba's."""
+"""Kernels in C compile without a warning, keep the bounds, and have the bits of numba's."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ from mechproof.programs.kernel import Kernel
 pytestmark = needs_compiler
 # Reductions with low words and without, and a radius of sines.
 FIRST = ("elliptic_planetary.position", "oval_planetary.acceleration", "track_wheel.radius")
-# What compilers make of products and sums where nothing forbids it, on processors that have fma.
+# Flags with which compilers contract products and sums on processors that have fma.
 CONTRACTED = ("-std=c99", *WARNED, "-march=native", "-ffp-contract=fast")
 
 
@@ -89,7 +89,7 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
 @pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
-    """Both compute the same operations, each rounded once: no bit may differ."""
+    """Both compute the same operations, each rounded once: no bit must differ."""
     system, _, quantity = name.partition(".")
     call = point_function(libraries(system, False), system, find_kernel(name), False)
     compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
@@ -118,7 +118,7 @@ def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes
 def test_bounds_hold_where_a_compiler_contracts(
     name: str, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
-    """A product that is not rounded is no worse; the rests of products are taken by fma anyway."""
+    """An unrounded product is no worse, and rests of products are computed by fma anyway."""
     system, _, _ = name.partition(".")
     contracted, strict = (
         point_function(libraries(system, False, *flags), system, find_kernel(name), False)
@@ -170,7 +170,7 @@ def test_bounds_hold_without_a_fused_multiply_add(
 def test_floats_keep_the_bounds_and_are_what_is_searched(
     name: str, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
-    """In eps of floats the bounds of doubles hold; headers tell of the programs run in floats."""
+    """The bounds hold in eps of floats, and C has the bits of the programs that are searched."""
     system, subject, kernel = name.partition(".")[0], narrow(find_subject(name)), find_kernel(name)
     call = point_function(libraries(system, True), f"{system}_single", kernel, True)
     singles = Singles(kernel)

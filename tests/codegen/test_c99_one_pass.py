@@ -1,4 +1,4 @@
-"""Kernels of C in one pass: the bits of each function and of numba, what is common once."""
+"""C kernels in one pass have the bits of each function and of numba, and share common steps."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from mechproof.programs.program import NOTHING, Operation, Program
 from mechproof.record import OnePass
 
 pytestmark = needs_compiler
-# On both sides of where another form is taken, beyond the domain, and a size that is NaN.
+# Sizes on both sides of a change of form, beyond the domain, and with a NaN.
 SIZES = {
     "R1": (66.0, 66.0, 16.0, np.nan),
     "R2": (16.0, 16.0, 66.0, 16.0),
@@ -43,7 +43,7 @@ SIZES = {
 
 
 def call_all(function: Any, points: Any, sizes: list[float], results: int) -> Any:
-    """Call a function of an array of points that stores so many results for each."""
+    """Call a C function of an array of points; return its arrays, one for each of `results`."""
     real = ctypes.c_float if points.dtype == np.float32 else ctypes.c_double
     pointer = np.ctypeslib.ndpointer(points.dtype)
     function.argtypes = [ctypes.c_size_t, pointer, *[real] * len(sizes), *[pointer] * results]
@@ -120,7 +120,7 @@ def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None
         assert_same_bits(found, np.concatenate(each))
     assert np.isnan(found[0]).all()
     assert np.isfinite(found[1, :3]).all()
-    # The points are read before the first result takes their place.
+    # The points are read before the first result overwrites them.
     own, last = points.copy(), np.empty_like(points)
     library.pair_both_array(points.size, own, *sizes, own, last)
     assert_same_bits(np.array([own, last]), found)

@@ -1,4 +1,4 @@
-"""Sources in C: no compiler warns, what loses NaN is refused, headers state what is computed."""
+"""C sources: no compiler warns, flags that lose NaN are refused, headers state the results."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ COMPILERS = [
     pytest.param(name, marks=pytest.mark.skipif(not which(name), reason=f"there is no {name}"))
     for name in ("gcc", "clang")
 ]
-# One source has it all: sums, matrices, several forms and their conditions.
+# The first source has everything: sums, matrices, several forms and their conditions.
 SYSTEMS = sorted(
     {name.partition(".")[0] for name in KERNELS}, key=lambda name: (name != "track_wheel", name)
 )
@@ -79,7 +79,7 @@ def test_a_header_says_what_is_computed_where_and_how_exactly() -> None:
 
 
 def test_a_source_in_float_tells_the_error_that_a_search_finds(tmp_path: Path) -> None:
-    """What is told is found anew by the search, and by C at the place that was found."""
+    """The header states the largest error in eps that the search found, and its points."""
     (tmp_path / "length.py").write_text(LENGTH)
     runner = CliRunner()
     done = runner.invoke(

@@ -1,4 +1,4 @@
-"""Compiled sources read back as their programs, and what computes something else is caught."""
+"""Compiled sources read back as their programs, and sources that compute otherwise are caught."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
 
 @pytest.mark.slow
 def test_any_sum_is_compiled(tmp_path: Path) -> None:
-    """Names that the loops use themselves, numbers and functions of large angles in a term."""
+    """The arguments have names that loops use, and a term has a function of large angles."""
     total, low = sp.IndexedBase("total", real=True), sp.IndexedBase("low", real=True)
     high, i, n = sp.Symbol("high", real=True), *sp.symbols("i n", integer=True)
     value = sp.Sum(total[i] * sp.cos(high * low[i]), (i, 1, n)) + high

@@ -19,7 +19,7 @@ DIGITS = 60
 
 @cache
 def list_changed() -> list[tuple[str, Program, Program]]:
-    """List the programs of shipped kernels that are changed, with what becomes of them."""
+    """List (kernel name, old, new program) for the shipped programs that deferral changes."""
     kernels = (kernel for system in SYSTEMS for kernel in list_functions(paper_of(system)))
     programs = (
         (kernel.name, program)
@@ -57,7 +57,7 @@ def meanings(scale: int) -> Mapping[str, Callable[..., Any]]:
 
 
 def run(program: Program, scale: int = 1) -> list[Any]:
-    """Evaluate a program at fixed inputs, with parts of tangents of a scale."""
+    """Evaluate a program at fixed inputs, with the two parts of tangents multiplied by `scale`."""
     table = meanings(scale)
     known: dict[Operand, Any] = {
         name: mp.mpf(2 + 3 * i) / 7 for i, name in enumerate(program.inputs)
@@ -89,7 +89,7 @@ def test_the_value_stays_whatever_the_scale_of_a_tangent(scale: int) -> None:
 
 
 def write(*lines: tuple[Any, ...], inputs: str = "x y z") -> Program:
-    """Write a program; the last result is its output."""
+    """Return a program whose output is the result of its last line."""
     operations = tuple(Operation(result, kind, tuple(given)) for result, kind, *given in lines)
     return Program(tuple(inputs.split()), operations, (operations[-1].result,)).normal_form()
 

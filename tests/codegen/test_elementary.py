@@ -103,7 +103,7 @@ RUNS = {DOUBLE: run, SINGLE: run_singly}
 
 
 def nearest_angles(form: Format) -> list[float]:
-    """The numbers nearest to multiples of pi/2, for their size: convergents of pi/2 over an ulp."""
+    """Return the numbers relatively nearest to multiples of pi/2: convergents of pi/2 in ulps."""
     found = []
     with mp.workdps(60):
         for exponent in range(int(math.log2(form.largest))):
@@ -119,7 +119,7 @@ def nearest_angles(form: Format) -> list[float]:
 
 
 def hard_angles(form: Format) -> list[float]:
-    """Multiples of pi/4 and their neighbours up to the largest angle, and a ladder to zero."""
+    """Return multiples of pi/4 and neighbours up to the largest angle, and a ladder to zero."""
     turns = [*range(1, 60), 1297, 12345, 99999, 1000003, 2**20 + 1, 2**25 - 3, 85440000]
     angles = [n * math.pi / 4 for n in turns if n * math.pi / 4 <= form.largest]
     near = [x * (1 + k * form.eps) for x in angles for k in (-1, 0, 1)]
@@ -138,18 +138,18 @@ def hard_angles(form: Format) -> list[float]:
 
 
 SLOPES = [10.0**k for k in range(-300, 301, 25)] + [0.1, 0.5, 0.9, 0.9999999, 1.0, 1.0000001, 1.7]
-# Where one half of log(2) ends and the next begins, a ladder to zero, and the ends of the range.
+# Odd multiples of log(2)/2 and neighbours, a ladder to zero, and the ends of the range.
 EXPONENTS = [
     *(n * math.log(2) / 2 * (1 + e) for n in (1, 3, 7, 255, 1021) for e in (-1e-15, 0, 1e-15)),
     *(10.0**-k for k in range(0, 301, 12)),
     0.1, 0.3465, 0.7, 2.2, 33.0, 690.0, 708.3,
 ]  # fmt: skip
-# Where 1/2 is rounded down and then once more: the worst that was found.
+# The worst argument found: there 1/2 is rounded down and then once more.
 WORST_TAIL = 8.547434413440087e-09
 LIMITS = [WORST_TAIL] + [10.0**-k for k in range(0, 301, 12)] + [i / 7 for i in range(1, 263)]
-# The angles that are hard depend on the format.
+# Left empty: which angles are hard depends on the format.
 ANGLES: list[float] = []
-# ulp: the approximation, the rounding of what is reduced or the quotient, the last operation.
+# Bounds in ulp, for the approximation, the reduced argument or quotient, and the last operation.
 CASES = {
     "tan": (ANGLES, mp.tan, 2.5),
     "sin": (ANGLES, mp.sin, 1.7),
@@ -168,7 +168,7 @@ COMPILER = shutil.which("cc")
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 @pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
 def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
-    """Of doubles the bits are those of the program; of floats a few ulp are off."""
+    """In double C has the bits of the program, in float twice the bound of each function."""
     language, real = (C99, ctypes.c_double) if form == DOUBLE else (C99_SINGLE, ctypes.c_float)
     kinds = ("exp", "normal_tail")
     data = {
@@ -246,7 +246,7 @@ def test_arcs_of_two_numbers_in_every_quarter(form: Format) -> None:
 
 
 LENGTHS = [(3.0, -4.0), (0.0, 2.0), (1.0, 1e-3), (0.03, 0.04), (0.1, 0.0), (0.0, 0.0)]
-# Whose squares leave the range, above and below, up to its ends.
+# Sides whose squares overflow or underflow, up to the ends of the range.
 ENDS = {
     DOUBLE: [(3e200, 4e200), (3e-200, 4e-200), (1e-300, 1e300), (1e308, 1e308), (5e-324, 5e-324)],
     SINGLE: [(3e25, 4e25), (3e-25, 4e-25), (1e-30, 1e30), (2e38, 2e38), (1.4e-45, 1.4e-45)],
@@ -280,7 +280,7 @@ def test_the_ends_of_the_range(kind: str, points: Any, values: Any) -> None:
 
 @pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
 def test_a_reduction_that_lost_a_word_is_seen(form, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The check above fails where pi/2 is two words only."""
+    """The check above fails when pi/2 has only two words."""
     split = Format.split
     monkeypatch.setattr(Format, "split", lambda self, v, n: (*split(self, v, 2), 0.0)[:n])
     build.cache_clear()

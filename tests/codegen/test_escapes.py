@@ -1,4 +1,4 @@
-"""Texts of a paper stay texts in every language, and names stay in their folder."""
+"""A paper's texts stay texts in every language, and its names stay within their folder."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ HOSTILE = [
 
 
 def hostile_paper(text: str) -> Paper:
-    """Say the text wherever a record has one."""
+    """Return a paper with `text` wherever its records hold a text."""
     quantity = quantity_of(a / x, x, a)
     (form,) = quantity.forms
     arguments = tuple(replace(one, meaning=text, unit=text) for one in quantity.arguments)
@@ -102,7 +102,7 @@ def test_python_holds_a_text_as_it_is(text: str, tmp_path: Path) -> None:
 
 
 def list_code(tree: ast.Module) -> list[str]:
-    """List the nodes of a module without the texts that it has."""
+    """List the types of a module's nodes, whatever texts it contains."""
     return [type(node).__name__ for node in ast.walk(tree)]
 
 

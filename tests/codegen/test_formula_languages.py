@@ -1,4 +1,4 @@
-"""Formulas in other languages: run by their own programs, they keep the bounds of the kernels."""
+"""Formulas in other languages, run by their own interpreters, keep the bounds of the kernels."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ Values = dict[str, Any]
 
 @cache
 def points_of(name: str) -> Points:
-    """Draw a few points of each set that kernels are searched on."""
+    """Draw a few points from each set on which kernels are searched."""
     drawn = draw_sets(find_subject(name), 20271, 0.02)
     few = (tuple(c[choose_evenly(len(c), 4)] for c in part) for part in drawn)
     return tuple(np.asarray(column, float) for column in join(*few))
@@ -54,7 +54,7 @@ def truth_of(name: str) -> tuple[Truth, Any]:
 
 
 def worst(name: str, found: Any) -> float:
-    """Return the largest error in units of what the tests hold of the NumPy kernel."""
+    """Return the largest error, in the units of the bound that tests hold the NumPy kernel to."""
     truth, within = truth_of(name)
     scaled = compare(lambda *_: found, points_of(name), truth)
     return float(np.max(np.where(within, scaled, -1.0)))
@@ -126,7 +126,7 @@ def run_python(files: dict[str, str], names: list[str], folder: Path) -> Values:
 
 
 def run_array_api(files: dict[str, str], names: list[str], folder: Path) -> Values:
-    """Run by the library that has what the standard says, and nothing else."""
+    """Run the formulas with the library that has what the standard defines and nothing else."""
     module = load_source(*files.values(), folder)
     values: Values = {}
     for name in names:
@@ -138,7 +138,7 @@ def run_array_api(files: dict[str, str], names: list[str], folder: Path) -> Valu
 
 
 def run_structured_text(files: dict[str, str], names: list[str], folder: Path) -> Values:
-    """Run Structured Text by its meaning: assignments, IF and RETURN, and functions."""
+    """Interpret Structured Text: assignments, IF, RETURN and functions."""
     (text,) = files.values()
     functions = read_structured_text(text)
     values: Values = {}
@@ -159,7 +159,7 @@ RUN = {
 
 
 def read_structured_text(text: str) -> dict[str, Any]:
-    """Return the functions of a source; what is outside the domain is NaN, as NumPy has it."""
+    """Return the functions of a source by name; outside the domain they give NaN, like NumPy."""
     text = re.sub(r"\(\*.*?\*\)", "", text, flags=re.S)
     spelled = {"TAN": np.tan, "SIN": np.sin, "COS": np.cos, "ATAN": np.arctan, "SQRT": np.sqrt}
     spelled |= {"ABS": abs, "ATAN2": np.arctan2, "EXP": np.exp, "ASIN": np.arcsin, "LN": np.log}
@@ -238,9 +238,9 @@ def test_a_wrong_coefficient_is_seen(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("language", ["javascript", "octave", "python"])
 def test_the_digits_are_those_of_numpy(language: str, tmp_path: Path) -> None:
-    """Rests of products are the same; a tangent may differ by the libraries' last digit.
+    """Rests of products agree; a tangent may differ in the last digit between libraries.
 
-    So may the form: NumPy's kernel takes one for all elements of an array.
+    The form may also differ: NumPy's kernel uses the same form for all elements of an array.
     """
     run, program = RUN[language]
     if shutil.which(program) is None:
@@ -335,7 +335,7 @@ def test_numbers_are_read_back_exactly(number: float, language: str) -> None:
     "system", first_of(["tooth_thickness", "elliptic_planetary", "oval_planetary"])
 )
 def test_structured_text_is_read_by_its_grammar(system: str) -> None:
-    """The grammar is that of another project's reader, of the language as controllers have it."""
+    """The grammar is another project's, of the language as controllers implement it."""
     parse = pytest.importorskip("blark.parse")
     (text,) = render_scripts(paper_of(system), "structured_text")[0].values()
     assert parse.parse_source_code(text).exception is None

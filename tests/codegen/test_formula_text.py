@@ -1,4 +1,4 @@
-"""Formulas as plain text: arguments by their names, brackets, powers, lines that end in time."""
+"""Formulas as plain text: argument names, brackets, powers, and lines that are not too long."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The frame of emitted modules: what no formula tells of, and the twins that it refuses."""
+"""The frame of emitted modules, the code that no formula determines: wrong twins are refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What no emitted source has is refused before it runs, or seen when it does; nothing hangs."""
+"""Code that no emitted source has is refused before it runs or caught when it does; none hangs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A form becomes one program, and the program a text that computes the form."""
+"""A form is lowered to one program, and the program to a text that computes the form."""
 
 from __future__ import annotations
 
@@ -73,10 +73,10 @@ def test_every_operation_has_a_meaning_and_a_text() -> None:
     )
     composed = {kind for kind, row in KINDS.items() if row.is_composed}
     assert set(FUNCTIONS.values()) - composed <= numpy
-    # What papers may have; other heads are those of rewrites.
+    # Functions that papers may use; other heads come from rewrites.
     written_out = {*(kind.__name__ for kind in STEPS), "Root"}
     assert {FUNCTIONS[name] for name in {*KNOWN.split(", ")} - written_out} - composed <= numba
-    # What the prover of bounds alone knows, and a copy, which is no text of its own.
+    # Except a kind known only to the prover of bounds, and copies, which have no text of their own.
     assert {*KINDS} - {"copy", "approximate"} - composed == numpy | numba
     assert numba == c99
 
@@ -96,7 +96,7 @@ def test_a_constant_is_not_an_input_of_its_name(tmp_path: Path) -> None:
 
 
 def test_a_trial_quantity_is_what_it_is_proved_to_be(tmp_path: Path) -> None:
-    """A cube under a fraction: without its brackets 340.4 instead of 94.2."""
+    """A cube in a denominator: without its brackets the value would be 340.4 instead of 94.2."""
     jerk = a / (1 + b * sp.cos(x)) ** 3
     paper = paper_of(quantity_of(jerk, x, a, b))
     (row,) = form_rows(paper)
@@ -106,7 +106,7 @@ def test_a_trial_quantity_is_what_it_is_proved_to_be(tmp_path: Path) -> None:
 
 
 def test_a_rival_may_leave_an_argument_out(tmp_path: Path) -> None:
-    """The argument still gives its shape and its NaN; the proof sees the value alone."""
+    """The argument still contributes its shape and NaN; the proof sees only the value."""
     whole = quantity_of(a + x, x, a)
     paper = paper_of(replace(whole, forms=(*whole.forms, Form("short", x, key="short"))))
     _, rival = list_functions(paper)

@@ -1,4 +1,4 @@
-"""Names of the paper and of what computes: they never meet, in any language."""
+"""A paper's names never collide with those of the generated code, in any language."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ A_NUMBER = sp.Symbol("a", real=True)
 
 
 def weigh(names: list[str]) -> Paper:
-    """Return a paper that adds numbers of these names with other weights."""
+    """Return a paper that sums over arguments of these names, each with its own weight."""
     symbols = sp.symbols([f"q{n}" for n in range(len(names))], real=True)
     total = sum(sp.sqrt(1 + n * symbol**2) for n, symbol in enumerate(symbols, start=1))
     return paper_of(quantity_of(total, *symbols, names=" ".join(names)))
@@ -49,9 +49,9 @@ def list_words_in_c() -> list[str]:
 @needs_compiler
 @pytest.mark.parametrize("half", [0, 1])
 def test_no_name_of_a_paper_meets_one_in_c(half: int, tmp_path: Path) -> None:
-    """Arguments are called like all that sources have, and like all that C keeps for itself.
+    """Arguments get every name that sources use and every word that C reserves.
 
-    A function of ctypes has no more than 1024.
+    A function of ctypes takes at most 1024 arguments, hence the two halves.
     """
     words = [w for w in list_words_in_c() if is_free(w)]
     assert {"count", "mp_i", "mp_prepared", "out_ratio", "double", "sqrt", "isfinite"} <= set(words)
@@ -71,7 +71,7 @@ def list_sources(paper: Paper) -> list[str]:
 
 
 def list_names(source: str) -> Iterator[str]:
-    """Yield what a module binds, reads and takes, but for attributes and annotations."""
+    """Yield the names that a module binds, reads, imports or takes as parameters."""
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Name):
             yield node.id
@@ -105,7 +105,7 @@ def test_what_is_no_name_of_the_paper_has_an_underscore(system: str) -> None:
 
 
 def list_own_words() -> list[str]:
-    """List what modules are made of, without the underscore that sets it apart."""
+    """List the modules' own names, without the underscore that marks them."""
     sources = chain.from_iterable(map(list_sources, map(derived_paper, SYSTEMS)))
     names = {name for source in sources for name in list_names(source)}
     own = {name.removeprefix("_") for name in names if name[0] == "_" and "_of_" not in name}

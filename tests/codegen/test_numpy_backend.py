@@ -71,7 +71,7 @@ def test_templates_hold_layout_only() -> None:
     """No call of NumPy and no long stretch without a placeholder."""
     for template in TEMPLATES.glob("*.jinja"):
         text = template.read_text(encoding="utf-8")
-        # A formula in Python stands alone: what kernels call of their support it has to say itself.
+        # A formula in Python stands alone: it must spell out what kernels call in their support.
         assert "np." not in text or template.name == "python.py.jinja"
         plain = [len(part.splitlines()) for part in text.replace("{%", "{{").split("{{")]
         assert max(plain) <= 20, template.name

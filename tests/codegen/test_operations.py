@@ -1,4 +1,4 @@
-"""The table of operations: what follows from a row is what the row means, in every arithmetic."""
+"""The table of operations: every arithmetic gives a kind the value that its row means."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ OTHERS = {
     "small_tangent": (2.0**-54,),
     "arccosh": (1.71875,),
 }
-# What rounding left, of operands that are no result: rests are those of results alone.
+# Operands of rests, which include the rounded result: only computed results have rests.
 RESTS = {k: tuple(map(float, values)) for k, values in {
     "product_rest": (1 / 3, 1 / 7, 1 / 3 * (1 / 7)),
     "quotient_rest": (1 / 3, 1 / 7, 1 / 3 / (1 / 7)),
@@ -75,7 +75,7 @@ def is_meant(found: Any, meant: Any) -> bool:
 
 
 def list_others(arithmetic: Arithmetic) -> list[str]:
-    """List the kinds that have another value than they mean."""
+    """List the kinds whose value in an arithmetic differs from their meaning."""
     told = [k for k in MEANT if k in arithmetic]
     assert len(told) > len(MEANT) - 6
     others = []
@@ -155,7 +155,7 @@ def test_heads_are_kinds() -> None:
 
 @pytest.mark.parametrize("value", [1e-300, -1e-17, 0.3])
 def test_functions_of_libraries_in_all_languages(value: float, tmp_path: Path) -> None:
-    """What cancels in exp(x) - 1 and log(1 + x) does not in expm1 and log1p."""
+    """The digits that exp(x) - 1 and log(1 + x) lose are kept by expm1 and log1p."""
     terms = sp.exp(x) - 1 + sp.log(1 + x) / 2 + sp.asin(x / 3), sp.acos(x) * sp.log(x + 2)
     paper = paper_of(quantity_of(sp.Matrix(terms), x, rewrites=("expm1_log1p",)))
     with mp.workdps(700):

@@ -1,4 +1,4 @@
-"""What the generated package consists of."""
+"""The contents of the generated package."""
 
 from __future__ import annotations
 

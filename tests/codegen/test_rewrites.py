@@ -15,7 +15,7 @@ from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.rewrites import REWRITES, apply_rewrites
 from mechproof.programs.step_names import share_subexpressions, suggest_name
 
-# Functions that exist for their rounding, and what the operations are that they become.
+# Functions that exist only for the way they round.
 ROUNDED = [
     hypot,
     expm1,
@@ -31,7 +31,7 @@ def start(output: sp.Basic) -> Evaluation:
 
 
 def expand(evaluation: Evaluation) -> sp.Basic:
-    """Insert all steps and write what exists for its rounding as what it is exactly."""
+    """Insert all steps, and replace functions that exist for their rounding by exact ones."""
     values = evaluation.step_values()
 
     def write(expression: sp.Expr) -> sp.Expr:
@@ -46,7 +46,7 @@ def expand(evaluation: Evaluation) -> sp.Basic:
 def largest_difference(first: sp.Basic, second: sp.Basic, points: int = 5) -> mp.mpf:
     """Evaluate both at random points of (0, 1) to 60 digits; sums have three terms."""
     # Two different analytic functions agree to 50 digits at a random point with probability
-    # about 1e-50: no false alarm, and none missed.
+    # about 1e-50: neither a false alarm nor a missed difference is to be feared.
     random = np.random.default_rng(7)
     worst = mp.mpf(0)
     with mp.workdps(60):
@@ -61,7 +61,7 @@ def largest_difference(first: sp.Basic, second: sp.Basic, points: int = 5) -> mp
 
 
 def instance(expression: sp.Expr) -> sp.Expr:
-    """Write sums out for three terms, with a symbol for each element."""
+    """Write out sums with three terms, with a symbol for each element."""
     counts = {
         s for t in expression.atoms(sp.Sum) for limit in t.limits for s in limit[2].free_symbols
     }
@@ -102,7 +102,7 @@ CASES = {
 
 
 def test_every_rewrite_has_a_case() -> None:
-    # What is exact but for a bound is proved to keep it.
+    # A rewrite that is exact only up to a bound is proved to keep that bound.
     assert {*CASES, "taylor"} == set(REWRITES)
 
 
@@ -140,7 +140,7 @@ def test_positive_atan2_is_wrong_on_the_other_side() -> None:
 
 
 def angle_with_low_word(angle: sp.Symbol, rewrites: tuple[str, ...]) -> Evaluation:
-    """Rewrite a quotient of an angle that is a step, (a/b)*c."""
+    """Rewrite a quotient in sines and cosines of an angle that is itself a step, (a/b)*c."""
     k = sp.Symbol("k", real=True)
     output = a * sp.sin(angle) / (2 - sp.cos(angle)) + sp.cos(angle)
     started = arrange(frozenset({a, b, c}), [(k, a / b), (angle, k * c)], output)
@@ -281,7 +281,7 @@ def test_one_sine_is_no_series() -> None:
 
 @pytest.mark.parametrize("function", [sp.Max, sp.Min])
 def test_steps_come_in_the_order_of_the_arguments_in_every_run(function: type[sp.Expr]) -> None:
-    # In the order of a set, which each run has its own of, 20 steps stand once in 20! runs.
+    # If taken from a set, whose order varies, 20 steps would be in order in one of 20! runs.
     steps = tuple((sp.Symbol(f"s{n}", real=True), x + n) for n in range(20))
     greatest = function(*(symbol for symbol, _ in steps))
     found = arrange(frozenset({x}), steps, greatest)

@@ -1,4 +1,4 @@
-"""Conditions are split for NumPy's kernels and put together again without a loss."""
+"""Conditions are split for NumPy's kernels and joined again without loss."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sums over indices: the order of their factors, quadratic forms, and what is none."""
+"""Sums over indices: the order of their factors, quadratic forms, and sums that are none."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ def test_the_source_reads_back_as_the_program(name: str) -> None:
 
 
 def spread(way: Program) -> Program:
-    """Return what was read as a program with an output for each of several results."""
+    """Return the program that was read, with a separate output for each of several results."""
     (outputs,) = way.outputs
     several = outputs if isinstance(outputs, tuple) else (outputs,)
     return replace(way, outputs=several).normal_form()
@@ -118,7 +118,7 @@ def test_what_is_not_prepared_as_meant_is_caught(
 def test_what_several_kernels_have_in_common_is_written_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Only what does the same: a call of a function that does something else is caught."""
+    """Only identical functions are shared: a call of one that does something else is caught."""
     made = {"f": x * sp.sin(a * b) + a * b, "g": x**2 * sp.cos(a * b) + a * b}
     made["h"] = x * sp.sin(a / b) + a / b
     quantities = tuple(replace(quantity_of(e, *MECHANISM), name=n) for n, e in made.items())
@@ -212,7 +212,7 @@ def test_a_low_word_that_is_dropped_doubled_or_turned_is_caught(
 
 
 def test_what_is_proved_is_what_was_emitted(tmp_path: Path) -> None:
-    """A form that is not its definition is refuted, by way of its source."""
+    """A form that differs from its definition is refuted from its emitted source."""
     right = quantity_of(sp.sin(x) ** 2, x)
     forms = (Form("wrong by a digit", 1 - sp.cos(x) ** 2 * sp.Rational(1001, 1000)),)
     wrong = type(right)(**{**vars(right), "forms": forms})

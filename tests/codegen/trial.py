@@ -18,7 +18,7 @@ a, b, x = sp.symbols("a b x", real=True)
 def quantity_of(
     expression: sp.Basic, *symbols: sp.Symbol, names: str = "", rewrites: tuple[str, ...] = ()
 ) -> Quantity:
-    """Make a quantity with one form, the expression."""
+    """Return a quantity whose only form is the expression itself."""
     arguments = tuple(
         Argument(name, (symbol,), "a number")
         for name, symbol in zip(names.split() or map(str, symbols), symbols, strict=True)
@@ -28,7 +28,7 @@ def quantity_of(
 
 
 def paper_of(quantity: Quantity, *variables: Variable) -> Paper:
-    """Make a paper with one quantity; symbols without a variable are real."""
+    """Return a paper with one quantity; symbols without a variable are declared as reals."""
     declared = {variable.symbol for variable in variables}
     symbols = (s for a in quantity.arguments for s in a.symbols if s not in declared)
     others = tuple(Variable(symbol, "a number") for symbol in symbols)
@@ -36,7 +36,7 @@ def paper_of(quantity: Quantity, *variables: Variable) -> Paper:
 
 
 def load_source(source: str, folder: Path) -> ModuleType:
-    """Import emitted source as a module of its own."""
+    """Import emitted source as a new module."""
     name = f"trial_{len(list(folder.iterdir()))}"
     path = folder / f"{name}.py"
     path.write_text(source, encoding="utf-8")

@@ -40,7 +40,7 @@ class Oracle:
         self.scale = sp.lambdify(symbols, scale, "mpmath") if scale is not None else None
 
     def _instance(self, expression: sp.Basic) -> sp.Basic:
-        """Write sums out and name elements of indexed symbols."""
+        """Write out sums, and name the elements of indexed symbols."""
         if self.count:
             count = next(s for t in expression.atoms(sp.Sum) for s in t.limits[0][2].free_symbols)
             expression = expression.subs(count, self.count).doit()
@@ -51,7 +51,7 @@ class Oracle:
         return expression.xreplace(self.names)
 
     def worst(self, function: Callable[..., Any], point: Point, eps: float = EPS) -> float:
-        """Error in units of eps * scale at one point, the norm of it for a vector."""
+        """Return the error at one point in units of eps * scale; for a vector, its norm."""
         values = [self._pick(atom, point) for atom in self.names]
         exact = self.value(*values)
         with np.errstate(all="raise", under="ignore"):
@@ -160,7 +160,7 @@ def turns() -> Iterator[tuple[float, float, float]]:
     yield from ((s, -s, s) for s in LADDER)
     yield from ((1e-300, 0.0, 0.0), (0.0, 0.0, 0.0), (np.pi, 0, 0), (1000.0, 1e-3, 2e5))
     yield from ((3.1, -3.1, 3.1), (np.pi / 2, -np.pi / 2, 1e-9), (0.00103, 0.00103, 0.0))
-    # No turn at all again, though no angle is small; and next to it.
+    # The identity again, although no angle is small; and turns next to it.
     half = np.array([np.pi, -np.pi, np.pi])
     yield from (tuple(half + step) for step in (0.0, 1e-12, [1e-9, 0, 1e-3]))
     yield (0.83921782, 1.63609161, -2.70272269)
@@ -288,7 +288,7 @@ def list_errors(
 
 
 def is_rejected(system: str, name: str, function: Callable[..., Any]) -> bool:
-    """Tell whether some point is off by a thousand times the bound."""
+    """Return whether some point is off by more than a thousand times the bound."""
     limit = 1000 * accuracy_of(find_quantity(system, name)).ulp
     return any(error > limit for error in list_errors(system, name, function))
 

@@ -31,7 +31,7 @@ def compiled(subject: Subject) -> Any:
 
 
 def search(name: str, rounds: int, off: float = 0.0) -> tuple[float, float]:
-    """Return the worst error of a kernel, off by more, and its bound."""
+    """Return the worst error found for a kernel times 1 + `off`, and the kernel's bound."""
     subject = find_subject(name)
     compute = compiled(subject)
 
@@ -176,7 +176,7 @@ def test_arrays_of_float32_are_computed_in_doubles() -> None:
 
 @pytest.mark.slow
 def test_dead_centres_are_reached_as_in_numpy() -> None:
-    """Where both products of a radicand are equal, their difference has to vanish."""
+    """Where both products of a radicand are equal, their difference must vanish."""
     from mechproof.kernels import wedge_linkage as plain_linkage
     from mechproof.kernels.compiled import wedge_linkage
 
@@ -197,7 +197,7 @@ def unaligned(values: Any) -> Any:
 
 @pytest.mark.parametrize("first", [0, 1, 2, 3])
 def test_rows_of_every_kind_are_entered_alike(first: int) -> None:
-    """Whatever kind comes first: a loop once compiled is entered without a look at the types."""
+    """Whatever kind comes first, a compiled loop is entered without checking types."""
     row, held = np.linspace(-3, 3, 12), np.linspace(-3, 3, 12)
     held.flags.writeable = False
     kinds = [row, held, unaligned(row), np.repeat(row, 2)[::2]]
@@ -273,14 +273,14 @@ def test_arrays_are_taken_inside_compiled_functions() -> None:
     wanted = elliptic_planetary.position(phi, radius, 16, 0.475)
     found = travel(phi, radius)
     assert np.array_equal(found, wanted + oval_planetary.position(phi, 0.2, 0.3))
-    # Of whole numbers and of single precision, doubles.
+    # Whole numbers and single precision give doubles.
     assert np.array_equal(travel(np.arange(3), radius[0])[1:2], travel(np.array([1.0]), radius[0]))
     with pytest.raises(numba.TypingError, match="No implementation of function"):
         numba.njit(lambda points: track_wheel.planar_error(points, points))(phi)
 
 
 def test_parameters_are_numbers_of_any_kind() -> None:
-    """Each kind gives the bits of Python's floats, by a way of its own."""
+    """Each kind takes its own path but gives the bits of Python's floats."""
     wanted = elliptic_planetary.position(PHI, 66.0, 16.0, 0.5)
     for kind in (np.float64, np.array, lambda size: np.array([size]), np.float32, np.int64):
         sizes = (*map(kind, (66, 16)), 0.5)
@@ -294,7 +294,7 @@ def test_parameters_are_numbers_of_any_kind() -> None:
 
 
 def test_loops_over_points_ask_for_the_widest_vectors() -> None:
-    """What asks stands in the loop itself, which becomes a part of no other function."""
+    """The attributes are on the loop itself, which is never inlined into another function."""
     import numba
 
     filled = numba.njit(error_model="numpy")(elliptic_planetary._fill_of_ratio.py_func)
@@ -329,7 +329,7 @@ def test_labels_are_kept_as_by_the_kernels_of_numpy(dtype: Any) -> None:
         assert np.array_equal(ours.to_numpy(), values, equal_nan=True)
     assert elliptic_planetary.position(series, 66, 16, 0.475).index.equals(series.index)
     assert elliptic_planetary.position(array, 66, 16, 0.475).coords.equals(array.coords)
-    # Of a parameter, too.
+    # Labels of a parameter are kept as well.
     found = elliptic_planetary.largest_ratio(66, 16, array / 10)
     assert found.dims == ("t", "u")
 

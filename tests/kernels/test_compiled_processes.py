@@ -72,7 +72,7 @@ def test_a_forked_child_has_threads_of_its_own() -> None:
 
 @pytest.mark.slow
 def test_kept_code_is_that_of_the_module(tmp_path: Path) -> None:
-    """One file under two names, and copied with what was kept beside it."""
+    """One file is loaded under two names, and copied along with its cached code."""
     source = Path(str(kernels.__file__)).with_name("compiled") / "elliptic_planetary.py"
     file = tmp_path / "here" / source.name
     file.parent.mkdir()

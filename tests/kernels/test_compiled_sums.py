@@ -34,7 +34,7 @@ MATRIX = np.where(np.eye(7), 1, 0.25)
         ("error_sum_correlated", (SEVEN, 1.0, SEVEN[1, 0], MATRIX, 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, 1.0, np.stack([MATRIX, 2 * MATRIX] * 2), 1.1)),
         ("error_sum_correlated", (0.5, 1.0, 1.0, [[1.0]], 1.0)),
-        # Loops of their own, like those above, or those of few long sums and of float32 below.
+        # These compile loops of their own, similar to those above or to those tested below.
         *map(
             make_thorough,
             (
@@ -57,7 +57,7 @@ def test_sums_broadcast_as_in_numpy(name: str, arguments: tuple[Any, ...]) -> No
         wanted.dtype,
         type(wanted),
     )
-    # Terms of one sign: both are within 9 eps, of float32 where NumPy adds in it.
+    # Terms of one sign: both are within 9 eps, those of float32 where NumPy adds in it.
     np.testing.assert_allclose(found, wanted, rtol=18 * np.finfo(wanted.dtype).eps)
 
 
@@ -88,7 +88,7 @@ def test_sums_are_stored_in_out() -> None:
 
 
 def test_long_sums_lose_nothing() -> None:
-    """One large term and a million that each round to nothing beside it."""
+    """One large term, and a million that would each be rounded away next to it."""
     tolerances = np.full(2**20 + 1, 2.0**-30)
     tolerances[0] = 2.0**-3
     exact = np.sqrt(2.0**-6 + 2.0**-40)
@@ -100,7 +100,7 @@ SETS = 150
 
 
 def draw_sets() -> dict[str, Any]:
-    """Return arguments of many sets, some of them out of the domain."""
+    """Return arguments of many sets, some of them outside the domain."""
     random = np.random.default_rng(20266)
     tolerances, influences, scatters = random.uniform(0.5, 2, (3, SETS, 7))
     matrices = np.where(np.eye(7), 1, random.uniform(0, 0.25, (SETS, 1, 1)))

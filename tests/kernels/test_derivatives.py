@@ -1,7 +1,7 @@
 """Derivatives of kernels against balls of the definition, at points chosen to hurt.
 
-The balls come from a backward pass of another engine, through the definition, not through what is
-shipped. The bounds are worst-case bounds, so there is no false alarm to allow for.
+The balls come from another engine's backward pass, through the definition and not through the
+shipped code. The bounds are worst-case bounds, so there is no false alarm to allow for.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ from mechproof.record import Equality, Quantity
 
 GENERATED = Path(__file__).parents[2] / "generated"
 EPS = 2.0**-52
-# Of every set of points so many.
+# The number of points taken from every set.
 POINTS = 2
-# Beyond what a double resolves.
+# Errors below this are beyond the resolution of doubles.
 TINY = 1e-320
 
 
@@ -64,7 +64,7 @@ class Truth:
         self.steps = {s: GradientTape(given[s], given) for s in needed}
 
     def evaluate(self, values: Mapping[sp.Basic, Any]) -> Iterator[tuple[Any, Any]]:
-        """Give the slope and its conditioning for each argument; at a kink there is no slope."""
+        """Yield each argument's slope, or both at a kink, in a list, and the conditioning."""
         balls = {s: arb(v) for s, v in values.items()}
         _, found = self.tape.differentiate(balls, self.symbols)
         for symbol, entry in zip(self.symbols, self.entries, strict=True):
@@ -100,7 +100,7 @@ def list_ways(subject: Subject) -> Iterator[Compute]:
 
 
 def worst_of(subject: Subject) -> tuple[float, int]:
-    """Return the largest error, in eps of what it is relative to, and how many were decided."""
+    """Return the largest error, in eps of its scale, and the number of decided derivatives."""
     quantity, truth = subject.quantity, Truth(subject)
     _, within = accuracy_of(quantity)
     assert quantity.accuracy is not None
@@ -154,8 +154,8 @@ def differentiate_by_jax(name: str) -> Compute:
     return lambda *points: by_jax.compute(text, name.replace(".", "_"), points, slopes=True)
 
 
-# Where the derivatives of single steps cancel, as near e = 1, or one is infinite, as that of a root
-# of zero where |A| = R.
+# Quantities for which derivatives of single steps cancel, as near e = 1, or one is infinite, as
+# that of a root of zero where |A| = R.
 LOST = {
     *("elliptic_planetary.jerk", "oval_planetary.acceleration", "oval_planetary.jerk"),
     *("oval_planetary.acceleration_cylindrical", "oval_planetary.jerk_cylindrical"),

@@ -1,4 +1,4 @@
-"""Several compiled kernels in one pass: the bits of each, and what has no pass in common."""
+"""Several compiled kernels in one pass: the bits of each, and kernels without a common pass."""
 
 from __future__ import annotations
 

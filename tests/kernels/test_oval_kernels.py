@@ -119,7 +119,7 @@ def direct_ratio(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
 
 
 def one_pair_position(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
-    """As if the pairs were mounted like in the paper whatever the mount."""
+    """Compute the position as if the pairs were mounted as in the paper, whatever `mount` is."""
     return kernels.position(phi1, e1, e2) + 0 * mount
 
 

@@ -41,7 +41,7 @@ def usual_call(name: str) -> tuple[Any, ...]:
 
 @cache
 def take_point(name: str) -> tuple[Any, ...]:
-    """Take a point of the first timed call where the kernel has a value, as Python's numbers."""
+    """Return a point of the first workload where the kernel has a value, as Python numbers."""
     subject = subject_of(name)
     _, workload = list_workloads(subject)[0]
     arguments = workload(COUNT)
@@ -65,7 +65,7 @@ def call(name: str, arguments: tuple[Any, ...], **options: Any) -> Any:
 
 
 def shape_of(name: str) -> tuple[int, ...]:
-    """Columns have one axis."""
+    """Return the shape of the result at one point; a column has one axis."""
     rows, *columns = getattr(subject_of(name).quantity.definition, "shape", ()) or (None,)
     return () if rows is None else (rows,) if columns == [1] else (rows, *columns)
 
@@ -195,7 +195,7 @@ OUTSIDE = [
 
 
 def of_kernels() -> Iterator[Any]:
-    """The cases of NumPy kernels, then of compiled ones."""
+    """Yield each case for the NumPy kernel and, where there is one, for the compiled kernel."""
     for system, name, arguments in OUTSIDE:
         full = f"{system}.{name}"
         yield pytest.param(full, arguments)
@@ -291,7 +291,7 @@ def test_uncorrelated_is_the_plain_sum() -> None:
     assert full == 3.0
 
 
-# Of errors that cancel, one by one and in a ring: the sums are 0.
+# Errors that cancel one by one, and errors correlated in a ring: the sums are 0.
 SIGNED = np.array([0.1, 0.2, 0.3, 0.7, -0.6, -0.7])
 RING = np.where(np.eye(3), 1.0, -0.5)
 

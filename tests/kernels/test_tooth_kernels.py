@@ -120,7 +120,7 @@ def test_the_measure_rejects_the_direct_formula_and_nan() -> None:
 
 
 def on_involute(tilt: float, m: float, z: int, alpha: float) -> tuple[Any, Any]:
-    """Change of height and of thickness from the polar equation of the involute."""
+    """Return the changes of height and thickness from the polar equation of the involute."""
     base, start = mp.mpf(m) * z * mp.cos(alpha) / 2, mp.pi / (2 * z) + mp.tan(alpha) - alpha
     roll = alpha + mp.mpf(tilt) + start
     radius, angle = base * mp.sqrt(1 + roll**2), start - (roll - mp.atan(roll))
@@ -188,7 +188,7 @@ def test_outside_the_domain_is_nan_and_float32_stays(name: str) -> None:
     ],
 )
 def test_the_bound_of_an_approximation_holds_and_is_met(quantity: str, key: str) -> None:
-    """Without rounding, between half a flank's tilts; at some point a quarter of it is used."""
+    """Without rounding the error stays within the bound, and somewhere uses a quarter of it."""
     (form,) = (f for f in QUANTITIES[quantity].rivals if f.key == key)
     assert form.bound is not None
     exact = oracle(QUANTITIES[quantity], QUANTITIES[quantity].definition)

@@ -1,4 +1,4 @@
-"""Types that checkers see of kernels: what stubs say is what functions take and give."""
+"""Types of kernels as checkers see them: stubs state what functions take and return."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ REVEALED = {
     "tooth.thickness_change(angles)": ARRAY,
     "tooth.constant_chord": NUMBER,
 }
-# With a stub in which a number gives anything.
+# With a stub in which a number gives `Any`.
 REVEALED_OF_CHANGED = {"changed(0.3, 60, 20, 0.3)": NUMBER}
 REFUSED = (
     "elliptic_planetary.position(0.3, 60, 20)",
@@ -79,7 +79,7 @@ REFUSED = (
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """What mypy says of each use."""
+    """Return mypy's line for each use: the revealed type or an error."""
     folder = tmp_path_factory.mktemp("types")
     (folder / "mechproof").mkdir()
     for name in ("__init__.py", "kernel_support", "arguments", "mechanisms"):
@@ -98,7 +98,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
 
 
 def shorten(line: str) -> str:
-    """The type that mypy reveals, in the words used here; empty for an error."""
+    """Return the type that mypy reveals, abbreviated as above; empty for an error."""
     found = re.search(r'Revealed type is "(.*)"', line)
     if found is None:
         return ""
@@ -139,13 +139,13 @@ def test_results_are_of_the_type_that_is_told(use: str) -> None:
 
 
 def list_arguments(stub: str) -> list[tuple[str, list[str]]]:
-    """The functions of a stub, each time that it has them, with the names of their arguments."""
+    """List a stub's functions, once for each overload, with the names of their arguments."""
     functions = [part for part in ast.parse(stub).body if isinstance(part, ast.FunctionDef)]
     return [(f.name, [a.arg for a in (*f.args.args, *f.args.kwonlyargs)]) for f in functions]
 
 
 def list_wrong(module: ModuleType, stub: str) -> set[str]:
-    """The functions of a stub that its module has not, or with other arguments."""
+    """Return the stub's functions whose arguments differ from those in the module."""
     return {
         name
         for name, told in list_arguments(stub)

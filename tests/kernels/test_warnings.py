@@ -2,7 +2,7 @@
 
 Every argument is pushed through numbers inside and outside its set, alone and in arrays, in one
 piece and in blocks. Infinity is left out where all reals are allowed: there an infinite angle or
-length warns as NumPy's sin and difference of it do.
+length warns, as NumPy's sine or difference of infinities does.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def list_pushed(subject: Subject, index: int) -> Iterator[float]:
 
 
 def push(subject: Subject, index: int, usual: Arguments) -> Iterator[Arguments]:
-    """Give one argument a number, or one of its elements, the others as usual."""
+    """Yield calls with one argument, or one of its elements, replaced by each pushed number."""
     before, at, after = usual[:index], usual[index], usual[index + 1 :]
     for value in list_pushed(subject, index):
         yield *before, np.full(np.shape(at), value), *after
@@ -71,7 +71,7 @@ def test_no_warning_outside_the_domain(name: str) -> None:
 @pytest.mark.usefixtures("_evaluation")
 @pytest.mark.parametrize("name", KERNELS)
 def test_nan_in_gives_nan_out(name: str) -> None:
-    """In some entry: those of a turn depend on some of its angles only."""
+    """NaN appears in some entry, since entries of a turn depend on only some of its angles."""
     subject = find_subject(name)
     for usual in call_usually(subject):
         for index, argument in enumerate(usual):

@@ -1,7 +1,7 @@
-"""Every accuracy bound: the worst inputs ever met stay within it, and a fresh search finds none.
+"""Every accuracy bound holds for the worst inputs ever met, and a fresh search finds no excess.
 
-The bounds are no proofs: they are argued beside the forms and held by searches. Seeds are fixed, so
-that a run repeats itself; what a search finds beyond a bound is a fault of the kernel or the bound.
+The bounds are not proofs: they are argued next to the forms and tested by searches. Seeds are
+fixed, so runs are reproducible; an error beyond a bound is a fault of the kernel or of the bound.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.lab.worst_search import find_worst, scaled_errors
 from mechproof.measured import read_record
 
-# The worst inputs that searches met: arguments as numbers that read back to the same doubles.
+# The worst inputs that searches met, as numbers that read back to the same doubles.
 TABLE = json.loads(Path(__file__).with_name("worst_inputs.json").read_text(encoding="utf-8"))
 COMPILED_WAY = "kernel, compiled"
-# A seed of its own, so that the search is not the one that the table comes from.
+# Another seed than that of the search that filled the table.
 FRESH = 4711
-# Of every set this share, and at most so many points; the ball of an integral takes a hundred
-# times as long.
+# The share of every set, and the most points, that are tried; the ball of an integral takes a
+# hundred times as long.
 SHARE, MOST, MOST_INTEGRALS = 0.05, 20, 7
 
 
@@ -47,7 +47,7 @@ def test_worst_inputs_stay_within_the_bound(name: str) -> None:
     assert rows
     for row in rows:
         (error,) = scaled_errors(subject, one_mechanism(subject), as_points(row))
-        # -1 would be a point that is undecided or where no bound is stated: no row of this table.
+        # -1 would mean an undecided point, or one where no bound is stated: the table has none.
         assert 0 <= error <= bound_of(subject), row
 
 
@@ -63,7 +63,7 @@ def test_rows_are_of_quantities_with_a_bound() -> None:
 
 
 def one_mechanism(subject: Subject) -> Compute:
-    """Compute for one mechanism, twice: arrays of parameters and one point take no polynomials."""
+    """Return the kernel for one mechanism, run on two equal points so that it uses polynomials."""
 
     def compute(running: Array, *sizes: Array) -> Array:
         twice = np.repeat(running, 2, axis=0)
@@ -79,7 +79,7 @@ def test_worst_inputs_stay_within_the_bound_compiled(name: str) -> None:
     compute = getattr(subject.load_compiled(), subject.quantity.name)
     rows = [row for row in TABLE if row["quantity"] == name]
     assert rows
-    # The record knows them: bits of compiled kernels are those of every host.
+    # The record covers these inputs: compiled kernels have the same bits on every host.
     (found,) = (
         f
         for f in read_record(GENERATED / "measured" / f"{name}.json").searched
@@ -88,7 +88,7 @@ def test_worst_inputs_stay_within_the_bound_compiled(name: str) -> None:
     assert found.scaled <= bound_of(subject)
 
     def alone(*points: Array) -> Array:
-        # A point needs no loops, which take twice as long to compile, and has the same bits.
+        # A single point gives the same bits without the loops, which take twice as long to compile.
         return np.array([compute(*(column[0] for column in points))])
 
     for row in rows:

@@ -1,4 +1,4 @@
-"""Where bounds are stated: points are marked whatever their shapes, and records keep to them."""
+"""Domains of stated bounds: points of any shape are marked, and records stay within them."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_worst_points_of_records_lie_where_the_bound_is_stated(name: str) -> Non
 
 
 def test_a_worst_point_beyond_the_statement_is_seen() -> None:
-    """The radius of a track is judged up to 2**26 turned waves."""
+    """The bound of a track's radius is stated up to z*|phi| = 2**26."""
     subject = find_subject("track_wheel.radius")
     (found, *_) = read_record(MEASURED / "track_wheel.radius.json").searched
     _, *others, z = found.at

@@ -1,4 +1,4 @@
-"""Approximations against their bounds, and numbers and models that papers print."""
+"""Approximations stay within their bounds, and so do numbers and models that papers print."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from mechproof.lab.worst_search import bound_approximation
 class Bounded:
     """An approximation in a box: its worst error lies between a part of its bound and the bound.
 
-    `rounding` is what doubles add.
+    `part` is the largest ratio of bound to error; `rounding` is what doubles add to the error.
     """
 
     quantity: str
@@ -46,7 +46,7 @@ class Bounded:
 def list_bounded() -> Iterator[Bounded]:
     turn = sweep(1, 200, *SPUR)
     for terms in (2, 4, 8):
-        # Some 70 terms and sums of rounding on values up to 35.
+        # Rounding of some 70 terms and sums, on values up to 35.
         way, e = f"Fourier series, {terms} terms", {"e": (0.475, 0.475)}
         yield Bounded(ELLIPTIC, way, e, turn, 40, 100 * EPS * 35)
     near, far = np.linspace(0, 7, 300), np.random.default_rng(3).uniform(-1e6, 1e6, 300)
@@ -106,7 +106,7 @@ def test_every_approximation_is_in_the_table() -> None:
 
 
 def test_a_bound_that_is_too_small_would_be_seen() -> None:
-    """That of eight terms does not hold for four, nor a fifth of that of the linear model."""
+    """The bound for eight terms does not hold for four, nor a fifth of the linear model's bound."""
     four, eight = (
         r for r in BOUNDED if r.way in ("Fourier series, 4 terms", "Fourier series, 8 terms")
     )
@@ -133,7 +133,7 @@ def test_the_spline_stays_within_its_estimate(e: float) -> None:
     fourth = 2 * np.sum(power**3 * e**power * np.sin(power * x[::200]), axis=0)
     bound = 5 / 384 * h**4 * np.abs(fourth).max()
     worst = sum_up(ELLIPTIC, "cubic spline, 1024 knots", sweep(1, 401, 66.0, 16.0, e))
-    # The grid misses a percent of the largest; the knots' rounding is a few eps of 2*pi.
+    # The grid may miss a percent of the maximum; rounding at the knots is a few eps of 2*pi.
     assert worst.worst_absolute <= 1.01 * bound + 1e-14
 
 

@@ -1,4 +1,4 @@
-"""Rivals of a kernel that come off by whole periods, and those that drift."""
+"""Rivals of a kernel that are off by whole periods, and rivals that drift."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ def quarter_turns(r4: float = 1, r5: float = 1) -> np.ndarray:
     return (2 * np.arange(300) + 1) * np.pi / 2 * r5 / r4
 
 
-# Quantity, arguments, and of each way how many points are off by whole periods, at least and most.
-# At how many odd half turns the rounded quotient and NumPy's tangent disagree depends on the last
-# bit of the tangent: 29 of 66 where this was written.
+# Quantity, arguments, and, for each way, the least and the largest number of points that are off by
+# whole periods. The number of odd half turns at which the rounded quotient and NumPy's tangent
+# disagree depends on the last bit of the tangent: 29 of 66 where this was written.
 BRANCHES: tuple[tuple[str, Arguments, dict[str, tuple[int, int]]], ...] = (
     (
         ELLIPTIC,
@@ -53,7 +53,7 @@ def test_points_off_by_whole_periods(
 
 @pytest.mark.slow
 def test_the_solver_and_the_samples_drift() -> None:
-    """The tolerance of 1e-12 is met locally and not kept."""
+    """The tolerance of 1e-12 is met at each step but not over the whole range."""
     rows = (
         (ELLIPTIC, sweep(1, 50, *SPUR)),
         (OVAL, sweep(4, 401, 0.2, 0.2, 0.4)),

@@ -1,4 +1,4 @@
-"""Kernels in C as a way to compute, on a GPU, too: the bits of numba's, and records without."""
+"""Kernels in C, also on a GPU, as a way to compute: numba's bits, and records without them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FINDERS = (
 )
 RNG = np.random.default_rng(7)
 POSES = RNG.uniform(-1, 1, (5, 3))
-# Of each kind of argument: one mechanism and many, rows and columns of points, none.
+# Every kind of argument: one mechanism and many, rows and columns of points, no points.
 CALLS: tuple[tuple[str, tuple[Any, ...]], ...] = (
     ("elliptic_planetary.position", (np.linspace(-9, 9, 7), 66, 16, 0.475)),
     ("elliptic_planetary.position", (np.linspace(-9, 9, 7)[:, None], 66, 16, [0.0, 0.3, 1.0])),

@@ -1,4 +1,4 @@
-"""The inverse of the position, by balls, against what an eps of the position allows."""
+"""The inverse of the position, checked by balls against the error that an eps of it allows."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def find_position(kind: type[Mechanism]) -> Subject:
 
 
 def find_bar(kind: type[Mechanism]) -> float:
-    """Return by how many eps the position is stated to be off."""
+    """Return the stated accuracy of the position, in eps."""
     accuracy = find_position(kind).quantity.accuracy
     assert accuracy is not None
     return float(accuracy.ulp)
@@ -62,7 +62,7 @@ def truth_of(mechanism: Mechanism, phi1: Array) -> Truth:
 
 
 def draw_targets(name: str, seed: int) -> Array:
-    """Draw output angles: even, by the logarithm, and where the carrier is at a singular point."""
+    """Draw output angles: evenly, logarithmically, and where the carrier is at a singular point."""
     mechanism, rng = MECHANISMS[name], np.random.default_rng(seed)
     r1, r2, e = sizes_of(mechanism)
     turns = np.pi * r2 / r1 * np.array([0.5, 1, 2, 3, 101, 100_000])
@@ -71,18 +71,18 @@ def draw_targets(name: str, seed: int) -> Array:
     at += [rng.uniform(-1e6, 1e6, 12), rng.uniform(-30, 30, 12)]
     singular = np.concatenate(at)
     x = 2 * singular * r1 / r2
-    # The accuracy of the position is stated up to there.
+    # Beyond these limits no accuracy of the position is stated.
     reached = mechanism.position(singular[(np.abs(singular) <= 1e6) & (np.abs(x) <= 2.0**26)])
     ladder = 10.0 ** rng.uniform(-290, 1, 20) * rng.choice([-1, 1], 20)
     return np.concatenate([reached, ladder, WORST.get(name, ())])
 
 
 def measure_residual(name: str, targets: Array) -> Array:
-    """Return |position(found) - target| in units of what an eps of position and of angle makes.
+    """Return |position(found) - target| relative to the effect of an eps of position and angle.
 
-    An error of the angle is one of the position by the ratio, but near e = 1 the ratio changes
-    within an ulp of the angle, so the position is evaluated at both neighbours instead.
-    The position of the oval pair is the difference of two terms, and an eps is one of the larger.
+    The ratio converts an error of the angle to one of the position, but near e = 1 the ratio
+    changes within an ulp of the angle, so the position is evaluated at both neighbours instead.
+    The position of the oval pair is the difference of two terms; its eps is that of the larger.
     """
     mechanism = MECHANISMS[name]
     return residual_of(mechanism, targets, np.asarray(mechanism.carrier_angle(targets)))
@@ -109,7 +109,7 @@ LADDER = [1 - 10.0**-j for j in (1, 3, 9, 12, 15)]
 
 
 def miss_position(mechanism: Mechanism, targets: Array, found: Array) -> float:
-    """Return by how many eps the exact position misses the target beyond a step to a neighbour."""
+    """Return how far, in eps, the exact position misses the target beyond one ulp of the angle."""
     at = truth_of(mechanism, found)
     beside = [truth_of(mechanism, step_ulps(found, np.array(n))) for n in (-1, 1)]
     change = np.max([np.abs((b.high - at.high) + (b.low - at.low)) for b in beside], axis=0)
@@ -119,14 +119,14 @@ def miss_position(mechanism: Mechanism, targets: Array, found: Array) -> float:
 
 
 def draw_ladder_targets(mechanism: Mechanism) -> Array:
-    """Draw small, usual and large angles, and positions on the steep places."""
+    """Draw positions of small, usual and large angles, and positions in the steep places."""
     r1, r2, e = sizes_of(mechanism)
     random = np.random.default_rng(99)
     usual = random.uniform(-30, 30, 30)
     phi1 = np.concatenate([10.0 ** random.uniform(-300, 1, 10), usual])
     phi1 = np.concatenate([phi1, random.uniform(-1, 1, 20) * min(2.0**25 * r2 / r1, 1e6)])
     phi1 = np.concatenate([phi1, np.pi * r2 / r1 * np.arange(1, 9) * (1 - e * 1e-3)])
-    # Angles drawn at random meet no steep place.
+    # Angles drawn at random hit no steep place.
     steep = mechanism.position(2 * np.pi * r2 / r1 * np.arange(1, 4))
     around = np.add.outer(steep, usual).ravel()
     return np.concatenate([mechanism.position(phi1), around])
@@ -136,7 +136,7 @@ def draw_ladder_targets(mechanism: Mechanism) -> Array:
 @pytest.mark.parametrize("e", LADDER, ids=repr)
 @pytest.mark.parametrize("sizes", [(66.0, 16.0), (50.3, 50.2), (1.0, 4e15)], ids=str)
 def test_the_bound_holds_up_to_e_1(sizes: tuple[float, float], e: float) -> None:
-    """Both neighbours enclose the target in positions, each off by as much as is stated."""
+    """The neighbours' positions, each off by its stated accuracy, enclose the target."""
     elliptic = sizes[0] > sizes[1]
     mechanism = EllipticPlanetary(*sizes, e) if elliptic else OvalPlanetary(Pair(*sizes), e)
     targets = draw_ladder_targets(mechanism)
@@ -152,7 +152,7 @@ def test_the_documentation_tells_the_bound(kind: type[Mechanism]) -> None:
 
 
 def test_an_angle_a_few_ulps_off_would_be_seen_near_e_1() -> None:
-    """What a search that stops at 4 eps of the angle may find."""
+    """Four ulps is what a search that stops at 4 eps of the angle may be off by."""
     mechanism = EllipticPlanetary(66, 16, LADDER[-1])
     targets = draw_ladder_targets(mechanism)
     found = step_ulps(np.asarray(mechanism.carrier_angle(targets)), np.array(4))
@@ -164,13 +164,13 @@ def test_a_worse_angle_would_be_seen(name: str) -> None:
     mechanism, targets = MECHANISMS[name], draw_targets(name, 20240901)
     found = mechanism.carrier_angle(targets)
     worse = residual_of(mechanism, targets, step_ulps(found, np.array(20)))
-    # Twenty ulps, and the limit allows one of the angle and an eps of the position.
+    # Off by twenty ulps, where the limit allows one of the angle and an eps of the position.
     assert np.median(worse) > ALLOWED
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_it_converges_beyond_the_bar(name: str) -> None:
-    """Where the angle no longer determines its own turn there is still an answer."""
+    """There is an answer even where doubles no longer determine the turn of the angle."""
     far = np.array([1e8, 1e12, 1e16, 1e17, 1e100, 1e300, 1e-300, 5e-324])
     assert np.isfinite(MECHANISMS[name].carrier_angle(np.concatenate([far, -far]))).all()
 
@@ -180,7 +180,7 @@ def test_it_converges_beyond_the_bar(name: str) -> None:
 def test_the_bracket_holds_the_angle(
     kind: type[Mechanism], sign: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A position as wrong as its bound allows stays inside the bracket: no failure to converge."""
+    """With a position as wrong as its bound allows, the bracket holds and the search converges."""
     exact, factor = kind.position, 1 + sign * find_bar(kind) * EPS
     chosen = [name for name, mechanism in MECHANISMS.items() if isinstance(mechanism, kind)]
     targets = {name: draw_targets(name, 5) for name in chosen}

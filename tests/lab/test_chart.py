@@ -1,4 +1,4 @@
-"""What charts draw is what the records say: marks, fronts, lanes, titles; no pixels."""
+"""Charts draw what the records say: marks, fronts, lanes, titles; pixels are not compared."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def make_mark(
 
 
 def drawn(axes: object) -> set[tuple[float, float]]:
-    """Return the places of all markers of a panel."""
+    """Return the positions of all markers in a panel."""
     lines = [line for line in axes.get_lines() if line.get_marker() not in ("None", "", None)]  # type: ignore[attr-defined]
     return {(float(line.get_xdata()[0]), float(line.get_ydata()[0])) for line in lines}
 
@@ -124,7 +124,7 @@ def test_heights_are_digits_lost_and_lanes() -> None:
 
 
 def test_a_turn_of_a_few_eps_is_no_wrong_turn(record: Record) -> None:
-    """At angles so large that a turn is an eps, the accurate ways count as many wrong branches."""
+    """At angles so large that a turn is an eps, accurate ways, too, have wrong branches."""
     kernel = record.ways[0].name
     workload = list_workloads(record)[0]
     for wrong, is_wrong in ((0, True), (10_000, False)):
@@ -293,7 +293,7 @@ def test_the_summary_counts(record: Record) -> None:
 
 @pytest.mark.thorough
 def test_charts_from_the_command_line(tmp_path: Path, record: Record) -> None:
-    # A user's own records, of a quantity that this installation has not.
+    # A user's own records, of a quantity that this installation does not have.
     write_record(replace(record, quantity="gear.angle"), tmp_path / "own")
     arguments = ["chart", "--measured", str(tmp_path / "own"), "--out", str(tmp_path / "charts")]
     for more, name in (([], "gear.angle.N_values_of_phi1"), (["--overview"], "overview")):
@@ -335,7 +335,7 @@ def test_charts_of_what_was_not_measured(arguments: list[str], says: str) -> Non
 
 
 def check_picture(file: Path, says: str, records: list[Record]) -> list[str]:
-    """List what is wrong with a picture that is kept: its size, its title, its records."""
+    """List what is wrong with a stored picture: its size, its title, its records."""
     with Image.open(file) as picture:
         about = dict(picture.text)  # type: ignore[attr-defined]
     wrong = [] if file.stat().st_size < MOST_BYTES else ["size"]
@@ -344,7 +344,7 @@ def check_picture(file: Path, says: str, records: list[Record]) -> list[str]:
 
 
 def test_the_pictures_of_the_readme_are_of_the_records(record: Record) -> None:
-    """Pixels depend on the fonts of a machine; what a picture says of itself does not."""
+    """Pixels depend on a machine's fonts; the texts stored in a picture do not."""
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     records = read_records(MEASURED)
     headline = write_title(record, *list_workloads(record)[0])

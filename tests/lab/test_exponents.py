@@ -1,8 +1,8 @@
-"""Arguments of every exponent that doubles have: bounds hold wherever they are stated.
+"""Bounds hold wherever they are stated, for arguments of every exponent that doubles have.
 
-A bound that is stated too far breaks where squares, cubes and low words leave the range of doubles.
-Sizes are drawn evenly by exponent. An angle that a ratio of radii turns on is drawn by what it is
-turned to, or hardly any would be where the bound is stated. Seeds are fixed.
+A bound stated too far fails where squares, cubes and low words leave the range of doubles. Sizes
+are drawn evenly by exponent. An angle that a ratio of radii multiplies is drawn by its multiple, or
+hardly any would lie where the bound is stated. Seeds are fixed.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from mechproof.lab.ways import Arguments, Array
 from mechproof.lab.worst_search import mark_accuracy_domain, scaled_errors
 from mechproof.record import LENGTH
 
-# By how many powers of ten a band of sizes reaches to either side of 1.
+# How many powers of ten each band of sizes extends to either side of 1.
 BANDS = (3, 20, 160, 308)
 TURNED = (["phi1", "R1", "R2"], ["phi1", "R4", "R5"])
 DRAWN = 2500
 LINKAGE = "wedge_linkage"
-# Of them so many at least are where the bound is stated; of a linkage so many are judged.
+# The least number of drawn points where the bound is stated; the most judged for a linkage.
 FEW, MOST = 20, 100
 # Sums over elements have tests of their own.
 NAMES = [name for name in KERNELS if not name.startswith("track_wheel.error_sum")]
 
 
 def draw_sizes(rng: np.random.Generator) -> Array:
-    """Draw sizes by exponent, of either sign, some of them just below 1."""
+    """Draw sizes evenly by exponent, of either sign, some of them just below 1."""
     sizes = 10.0 ** (rng.uniform(-1, 1, DRAWN) * rng.choice(BANDS, DRAWN))
     below = 1 - 10.0 ** rng.uniform(-16, -1, DRAWN)
     drawn = np.where(rng.random(DRAWN) < 0.15, below, sizes)
@@ -41,7 +41,7 @@ def draw_sizes(rng: np.random.Generator) -> Array:
 
 
 def draw_turned(rng: np.random.Generator) -> tuple[Array, Array, Array]:
-    """Draw an angle and two radii by the angle that their ratio turns it to."""
+    """Draw an angle and two radii such that angle times ratio is near a multiple of pi/2."""
     beside = 10.0 ** rng.uniform(-18, 6, DRAWN) * rng.choice([-1, 1], DRAWN)
     angles = rng.integers(-4, 5, DRAWN) * np.pi / 2 + beside
     driven = 10.0 ** rng.uniform(-150, 150, DRAWN)
@@ -50,7 +50,7 @@ def draw_turned(rng: np.random.Generator) -> tuple[Array, Array, Array]:
 
 
 def draw_similar(subject: Subject, rng: np.random.Generator) -> Columns:
-    """Draw published sizes, half of them larger or smaller as a whole: others hardly close."""
+    """Draw published sizes, half of them scaled as a whole: other linkages hardly ever close."""
     factor = np.where(rng.random(DRAWN) < 0.5, 10.0 ** rng.uniform(-60, 60, DRAWN), 1)
     sizes = draw_published(subject.facts, rng, DRAWN)
     lengths = {v.symbol for v in subject.paper.variables if v.dimension == LENGTH}
@@ -58,7 +58,7 @@ def draw_similar(subject: Subject, rng: np.random.Generator) -> Columns:
 
 
 def draw_points(subject: Subject) -> Arguments:
-    """Draw points of the domain that are where the bound is stated."""
+    """Draw points of the domain at which the bound is stated."""
     rng, region = np.random.default_rng(20263), subject.facts.region
     columns = {s: draw_sizes(rng) for s in region.symbols}
     if subject.paper.system == LINKAGE:
@@ -89,7 +89,7 @@ def test_a_bound_holds_wherever_it_is_stated(name: str) -> None:
 
 
 def test_no_step_of_the_jerk_overflows_where_its_bound_is_stated() -> None:
-    """The first input is the one that was met beyond; at the second R1/R2 is as large as may be."""
+    """The first input, once found, lies beyond; the second has the largest R1/R2 with a bound."""
     subject = find_subject("elliptic_planetary.jerk")
     kernel = import_module("mechproof.kernels.elliptic_planetary").jerk
     ratio = 1e75 * (1 - 2.0**-50)

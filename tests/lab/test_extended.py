@@ -1,4 +1,4 @@
-"""Long doubles tell the errors that balls tell, and a search led by them finds more."""
+"""Long doubles give the errors that balls give, and a search led by them finds more."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SEED, SHARE, POINTS = 4711, 0.1, 3
 pytestmark = pytest.mark.skipif(
     not extended_oracle.IS_LONGER, reason="long doubles have the digits of doubles here"
 )
-# What is relative to a scale that cancels where an arm has hardly turned.
+# Quantities whose scale cancels where an arm has hardly turned.
 HARDLY_TURNED = {
     "wedge_linkage.rod_displacement",
     "wedge_linkage.wedge_displacement",
@@ -41,7 +41,7 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
 
 @pytest.mark.parametrize("name", first_of(sorted({*KERNELS} - HARDLY_TURNED)))
 def test_long_doubles_tell_what_balls_tell(name: str) -> None:
-    """An eleventh bit of the error is lost by 64 bits for 53, and by what a scale cancels."""
+    """64 bits leave 11 for the error of 53, fewer where a scale cancels."""
     subject, compared = find_subject(name), 0
     for points in draw(subject):
         _, roughly = estimate(subject, points)

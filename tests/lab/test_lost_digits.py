@@ -1,6 +1,6 @@
-"""Where rivals of a kernel lose digits, read from tables.
+"""Tables of places where rivals of a kernel lose digits.
 
-Every loss is one that the kernel does not have at the same points.
+The kernel has none of these losses at the same points.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from mechproof.lab.worst_search import mark_accuracy_domain
 
 @dataclass(frozen=True)
 class Loss:
-    """Ways that lose so many bits more from one place of a ladder to the next."""
+    """Ways that lose `bits` more, up to `within`, from each place of a ladder to the next."""
 
     quantity: str
     ladder: tuple[Arguments, ...]
@@ -47,7 +47,7 @@ class Loss:
 
 
 def approach_one(*exponents: int, start: float, before: tuple[float, ...] = ()) -> Iterator[Any]:
-    """From one to three times the width of the peak, as e goes to one."""
+    """Yield angles from one to three times the width of the peak, as e approaches 1."""
     for exponent in exponents:
         e = 1 - 10.0**-exponent
         yield np.linspace(1, 3, 40) * (1 - e) * start, *map(np.array, before), np.array(e)
@@ -60,8 +60,8 @@ def shrink(*exponents: int, sizes: tuple[float, ...]) -> tuple[Arguments, ...]:
 SPURS = tuple(approach_one(2, 4, 6, 8, start=16 / 66, before=(66.0, 16.0)))
 PEAKS = tuple(approach_one(2, 4, 6, start=0.5, before=(32.0, 18.0)))
 MOUNTED = tuple((*a, np.array(0.0)) for a in approach_one(2, 4, 6, start=0.5, before=(0.2,)))
-# 1 - e cos x keeps eps of 1 where it is 1 - e, its square twice as few digits; two decades of
-# 1 - e are 6.6 bits. Of a difference of two lengths three decades of the motion are 10 bits.
+# Where 1 - e cos x is 1 - e it has an error of eps, and its square loses twice as many digits; two
+# decades of 1 - e are 6.6 bits. In a difference of lengths three decades of motion are 10 bits.
 LOSSES = {
     "position, 1 - e": Loss(
         ELLIPTIC, SPURS, 6.64, 1.9, ("x + 2 atan2, 1 - e cos x",),
@@ -103,7 +103,7 @@ def test_the_bracket_keeps_the_digits(way: str) -> None:
     assert max(np.max(run(ELLIPTIC, way, place).bits) for place in SPURS) < 4
 
 
-# Ways with a set on which they lose so many eps of the scale; the kernel keeps its bound there.
+# Ways, and sets on which they lose that many eps of the scale; there the kernel keeps its bound.
 LOST = (
     (OVAL, "one atan2, unsplit", "Eq(e1, e2)", 1e6),
     (OVAL, "leads by atan2, 1 - e cos 2 phi", "Eq(mount, pi*m/2)", 1e9),
@@ -136,7 +136,7 @@ def test_digits_are_lost_on_a_set(quantity: str, way: str, name: str, eps: float
 
 
 def test_a_direct_turn_loses_half_the_digits() -> None:
-    """1 - cos beside sin: worst where the square of the angle is eps."""
+    """1 - cos appears next to sin: worst where the square of the angle is eps."""
     points, lost = np.random.default_rng(3).uniform(-50, 50, (60, 3)), []
     for size in (1e-3, 1e-6, 1e-9, 1e-12):
         turn = np.full((60, 3), [size, -size, size])
@@ -158,9 +158,9 @@ def test_below_the_rounding_of_the_angle_nothing_is_left() -> None:
 
 
 def test_one_minus_cosine_loses_half_the_digits() -> None:
-    """Its rounding, eps of one, stands beside a first order as small as the tilt.
+    """Its rounding error of one eps is added to a first-order term as small as the tilt.
 
-    The loss is worst at 1e-8: below, cos(tilt) is one, and 1 - cos(tilt) is 0 exactly.
+    The loss is worst at 1e-8: below, cos(tilt) is rounded to 1, and 1 - cos(tilt) is exactly 0.
     """
     tilts = np.geomspace(1e-12, 1e-3, 30)
     lost = run(HEIGHT, "sympy.lambdify, cse", at(tilts, *WHEEL)).bits
@@ -170,13 +170,13 @@ def test_one_minus_cosine_loses_half_the_digits() -> None:
 
 
 def test_leads_cancel_where_the_output_rests() -> None:
-    """Equal ovals side by side: the leads of the pairs are each others' opposites."""
+    """Equal ovals side by side: the leads of the two pairs are opposite to each other."""
     arguments = at(np.linspace(0.1, 1.4, 50), 0.475, 0.475, np.pi / 2 + 1e-9)
     assert sum_up(OVAL, "leads by atan2, 1 - e cos 2 phi", arguments).worst_ulp > 2**20
 
 
 def test_without_the_low_word_digits_go_with_the_angle() -> None:
-    """The rounded product is off by eps*|x|, which the peak makes eps*|x|/(1 - e2) of."""
+    """The rounded product is off by eps*|x|, which the peak amplifies to eps*|x|/(1 - e2)."""
     e2 = 0.999999
     for turns in (10, 1000, 100_000):
         phi1 = (turns * np.pi + np.linspace(1, 3, 40) * (1 - e2)) * 18 / 32
@@ -190,7 +190,7 @@ def test_without_the_low_word_digits_go_with_the_angle() -> None:
 
 
 def test_the_root_of_a_difference_loses_what_the_share_takes() -> None:
-    """1 - 1e-12 of the total: the difference of rounded squares has four digits left."""
+    """The share is 1 - 1e-12 of the total: four digits of the difference of squares are left."""
     one = np.ones((1, 6))
     whole = np.array([1.2]), np.array([(1 - 1e-12) / 1.7]), np.array([1.2 * 1.7])
     arguments = np.full((1, 6), 0.1), one, one, *whole

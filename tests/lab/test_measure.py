@@ -87,7 +87,7 @@ def test_no_path_of_this_machine(record: Record) -> None:
 @pytest.mark.thorough
 def test_measure_from_the_command_line(tmp_path: Path) -> None:
     (tmp_path / "generated").mkdir()
-    # Kernels are those beside the derivations, records go below the root.
+    # Kernels are taken from next to the derivations, records go below the root.
     (tmp_path / "derivations").symlink_to(Path(__file__).parents[2] / "derivations")
     arguments = ["measure", "track_wheel.error_sum", "--quick", "--root", str(tmp_path)]
     done = CliRunner().invoke(app, arguments)
@@ -115,7 +115,7 @@ def test_calls_are_interleaved() -> None:
     calls = {name: (lambda name=name: order.append(name)) for name in "abc"}
     times = interleave(calls, rounds=5)
     assert {name: len(t) for name, t in times.items()} == dict.fromkeys("abc", 5)
-    # In blocks of repeats: no form has all of its calls next to one another.
+    # Calls come in blocks of repeats: no form has all of its calls in a row.
     blocks = [a for a, b in zip(order, [*order[1:], ""], strict=True) if a != b]
     assert len(blocks) > 9
 
@@ -144,7 +144,7 @@ def test_jumps_are_drawn_of_what_jumps() -> None:
     figure = draw_jumps(position)
     assert figure is not None
     titles = [axes.get_title(loc="left") for axes in figure.axes]
-    # At how many of 66 the quotient and NumPy's tangent disagree depends on the tangent's last bit.
+    # The number of 66 at which quotient and tangent disagree depends on the tangent's last bit.
     assert any(title.startswith("tan/arctan + floor: ") for title in titles)
     assert "tan/arctan: 3275 wrong of 3301; sweep, 3301 samples" in titles
     assert not any(title.startswith(("kernel", "x + 2 atan2")) for title in titles)
@@ -180,7 +180,7 @@ def test_a_kernel_with_out_is_listed_twice() -> None:
 
 
 def bare_subject() -> Subject:
-    """Return the area of a ring: a paper of one quantity without accuracy bound and rows."""
+    """Return a paper's only quantity, the area of a ring, without accuracy bound and rows."""
     inner, outer = sp.symbols("inner outer", positive=True)
     definition = sp.pi * (outer**2 - inner**2)
     quantity = Quantity(
@@ -204,7 +204,7 @@ def bare_subject() -> Subject:
 
 @pytest.mark.slow
 def test_modules_of_a_folder_are_found_by_their_names(tmp_path: Path) -> None:
-    """Code that numba keeps names its module, and is read by the next process."""
+    """Code that numba caches names its module, which the next process must find by that name."""
     source = Path(__file__).parents[2]
     for folder in ("derivations", "generated"):
         shutil.copytree(source / folder, tmp_path / folder)
@@ -282,15 +282,15 @@ def test_a_way_that_was_not_timed_says_so(record: Record, tmp_path: Path) -> Non
 
 
 def test_the_page_in_the_repository_is_of_the_records() -> None:
-    """Kept beside the records, the page says what they say."""
+    """The page stored with the records says what they say."""
     folder = Path(__file__).parents[2] / "generated" / "measured"
     page, records = (folder / PAGE).read_text(encoding="utf-8"), read_records(folder)
     assert page == "\n".join(list_lines(records))
-    # What is proved stands there with what was measured, and nothing else does.
+    # The page lists each proved bound with the measured error, and nothing else.
     claims = [claim for record in records for claim in list_claims(record)]
     proved = page.split("## What is proved")[1].split("\n## ")[0]
     assert all(f"|{tell_bound(claim)}|{claim.found:g}|" in proved for claim in claims)
     assert proved.count("\n|") == len(claims) + 2
     assert "## What is proved" not in "\n".join(list_lines(records, lambda record: ()))
-    # A page to be read: some 25 lines for each quantity, and one for each claim.
+    # The page stays readable: some 25 lines for each quantity, and one for each claim.
     assert len(page.encode()) < 1_700 * len(records) + 130 * len(claims)

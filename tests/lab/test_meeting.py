@@ -1,4 +1,4 @@
-"""What the kernels of ovals keep where the long axis of a wheel meets the centre line."""
+"""The digits that kernels of ovals keep where a wheel's long axis meets the centre line."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def test_beside_the_meeting_the_kernel_keeps_what_the_tangent_leaves() -> None:
         phi1 = find_meeting(0.475, mount) + np.linspace(1, 2, 60) * h
         kernel = run(OVAL, "kernel", at(phi1, 0.475, e2, mount))
         assert np.max(kernel.scaled) <= bound_of(OVAL)
-        # What the meeting makes of the tangent's last bit, and 4 eps of a value below pi.
+        # The tangent's last bit as amplified by the meeting, and 4 eps of a value below pi.
         assert np.max(kernel.absolute) < EPS * (13 + 1e-12 / h**2 * 40)
 
 
 def test_what_the_meeting_costs() -> None:
-    """The floor: a rounded tangent, on the flank of the peak, is off by eps/(1 - e2) of W."""
+    """The unavoidable error: on the flank of the peak a rounded tangent costs eps/(1 - e2) of W."""
     name = "oval_planetary.ratio"
     for exponent in (3, 6, 9, 12):
         e2, mount = 1 - 10.0**-exponent, np.pi / 4
@@ -35,7 +35,7 @@ def test_what_the_meeting_costs() -> None:
 
 
 def test_far_from_the_meeting_the_ratio_is_of_its_largest_term() -> None:
-    """At e2 = 1 - 1e-12 as well: the scale exceeds 1 and W only where the axes meet."""
+    """Even at e2 = 1 - 1e-12 the scale exceeds 1 and W only where the axes meet."""
     phi1 = np.linspace(-3, 3, 200)
     for e2, mount in ((0.999999, 1.2), (1 - 1e-12, 1.2), (1 - 1e-12, np.pi / 2)):
         truth = truth_of("oval_planetary.ratio", at(phi1, 0.475, e2, mount))
@@ -46,7 +46,7 @@ def test_far_from_the_meeting_the_ratio_is_of_its_largest_term() -> None:
 
 
 def test_at_rest_there_is_nothing_to_lose() -> None:
-    """Circles: the value is 0 exactly, so no ball decides a digit; ours is 0 to an eps of 1."""
+    """For circles the value is exactly 0, so no ball decides a digit; ours is 0 to 8 eps of 1."""
     phi1 = np.linspace(-7, 7, 30)
     ratio, position = (find_subject(n).kernel for n in ("oval_planetary.ratio", OVAL))
     assert np.abs(ratio(*at(phi1, 0.0, 0.0, 0.3))).max() <= EPS * 8

@@ -1,4 +1,4 @@
-"""The oracle against independent ones: mpmath, SciPy's laws, rotations and quadrature."""
+"""The oracle agrees with independent ones: mpmath, SciPy's laws, rotations and quadrature."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_position_equals_mpmath() -> None:
             phi, r1, r2, e = map(mp.mpf, map(float, row))
             x = r1 / r2 * phi
             exact = phi + x + 2 * mp.atan2(e * mp.sin(x), 1 - e * mp.cos(x))
-            # Two doubles hold 2**-106; 60 digits are more.
+            # Two doubles resolve 2**-106; 60 digits are finer.
             assert abs(mp.mpf(float(high)) + mp.mpf(float(low)) - exact) <= abs(exact) * 2.0**-100
 
 
@@ -47,7 +47,7 @@ def test_position_equals_the_wrapped_cauchy_law_on_one_turn() -> None:
         subject("elliptic_planetary.position"), (x / 2, np.full_like(x, 2.0), np.ones_like(x), e)
     )
     assert not truth.undecided
-    # SciPy's cdf goes through an arctangent of a quotient: a few eps of 2*pi.
+    # SciPy's cdf uses an arctangent of a quotient: a few eps of 2*pi.
     expected = x / 2 + 2 * np.pi * wrapcauchy.cdf(x, e)
     assert np.max(np.abs(truth.high - expected)) <= 16 * EPS * 2 * np.pi
 
@@ -78,7 +78,7 @@ def test_rotation_equals_scipy() -> None:
 
 
 def test_shares_equal_quadrature_of_the_outside() -> None:
-    """Wrongly accepted from the other side: Y outside the limits, integrated over Y."""
+    """The wrongly accepted share, integrated in another way: over Y outside the limits."""
     from scipy.integrate import quad
     from scipy.special import ndtr
 
@@ -117,7 +117,7 @@ def test_tiny_angles_are_decided() -> None:
 
 
 def test_a_wrong_definition_is_seen() -> None:
-    """The comparison with SciPy would notice: the transpose is far off."""
+    """The comparison with SciPy would notice a transpose, which is far off."""
     angles = np.random.default_rng(2).uniform(-np.pi, np.pi, (5, 3))
     truth = find_truth(subject("track_wheel.rotation"), tuple(angles.T))
     assert np.max(np.abs(truth.high - truth.high.swapaxes(-1, -2))) > 0.1
@@ -138,7 +138,7 @@ def test_every_point_of_the_sets_is_decided(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["track_wheel.radius", "track_wheel.track"])
 def test_only_the_pole_itself_is_undecided(name: str) -> None:
-    """The circle goes through the pole where A = R: a sum of opposites that is 0 exactly."""
+    """Where |A| = R the circle passes through the pole, a sum of opposites that is exactly 0."""
     for point_set in list_sets(subject(name), 0.2):
         points = draw_points(point_set, REPORT)
         truth = find_truth(subject(name), points)

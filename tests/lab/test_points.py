@@ -1,4 +1,4 @@
-"""Point sets made from singular sets: exact roots, both sides, the domain, and what they find."""
+"""Point sets made from singular sets: exact roots, both sides, the domain, and errors found."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def place_of(equation: sp.Equality) -> ZeroSet:
 
 
 def roots_by_mpmath(place: ZeroSet, symbol: sp.Symbol, values: dict[sp.Symbol, Array], at: Array):
-    """Polish every root in 60 digits by the secant method."""
+    """Yield every root of `at`, refined to 60 digits by the secant method."""
     names = [s for s in values if s != symbol]
     function = sp.lambdify([symbol, *names], place.gap, "mpmath")
     with mpmath.workdps(60):
@@ -84,7 +84,7 @@ def test_a_root_of_a_transcendental_equation_is_the_nearest_double() -> None:
 
 def assert_nearest(found: Array, exact) -> None:  # type: ignore[no-untyped-def]
     for double, root in zip(found, exact, strict=True):
-        # Half the distance of neighbours, and what 60 digits leave open: none of it.
+        # Neither neighbour is nearer to the root.
         for neighbour in step_ulps(np.full(2, double), np.array([-1, 1])):
             assert abs(mpmath.mpf(double) - root) <= abs(mpmath.mpf(float(neighbour)) - root)
 
@@ -106,7 +106,7 @@ def test_points_lie_on_both_sides_and_at_all_distances() -> None:
     for side in (away, -away):
         assert np.sum((side > 1e-4) & (side < 0.3)) > 5
         assert np.sum((side > 1e-12) & (side < 1e-6)) > 5
-    # The root rounded, the quotient here rounded four times: half an ulp each.
+    # The root is rounded once, and the quotient here four times: half an ulp each.
     assert np.sum(np.abs(away) < 2.5 * np.finfo(float).eps) > 20
 
 
@@ -152,7 +152,7 @@ def test_an_equation_of_other_symbols_is_an_error() -> None:
 
 
 def worst_of_the_print(row: Singular) -> float:
-    """Return the worst error of equation (8) as printed about a singular set alone."""
+    """Return the worst error of equation (8) as printed near this one singular set."""
     subject = find_subjects(("elliptic_planetary.ratio",))[0]
     calm = tuple(replace(a, usual=(0.0, 0.9)) if a.name == "e" else a for a in ARGUMENTS)
     points = draw_points(list_point_sets(Facts(calm, DOMAIN, (row,), (PUBLISHED,)))[1], REPORT)
@@ -164,7 +164,7 @@ def worst_of_the_print(row: Singular) -> float:
 
 
 def test_a_wrong_singular_set_finds_much_less() -> None:
-    """1 + e**2 - 2 e cos x cancels about whole turns of x, not about half turns."""
+    """1 + e**2 - 2 e cos x cancels near whole turns of x, not near half turns."""
     right = worst_of_the_print(PEAK)
     wrong = worst_of_the_print(Singular(sp.Eq(x, sp.pi + 2 * sp.pi * turns)))
     assert right > 30 * wrong

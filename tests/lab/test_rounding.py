@@ -1,4 +1,4 @@
-"""Balls of programs hold what doubles compute, and not what another program computes."""
+"""Balls of programs hold the results of doubles, but not those of another program."""
 
 from __future__ import annotations
 
@@ -52,13 +52,13 @@ def test_a_ball_holds_the_double_and_little_else(name: str) -> None:
     for values in rng.uniform(0.1, 3, (40, 3)).tolist():
         ball, double = enclose(expression, *values), float(compute(*values))
         assert ball.contains(arb(double))
-        # Some ten roundings of sizes up to 10, functions by 8 half ulps.
+        # Some ten roundings of values up to 10, with 8 half ulps for each function.
         assert float(ball.rad()) <= 400 * EPS * max(1, abs(double))
         assert not ball.contains(arb(double + 1e-12 * max(1, abs(double))))
 
 
 def test_another_program_is_told_apart() -> None:
-    """A bracket that is lost changes the value by more than roundings do."""
+    """A lost bracket changes the value by more than roundings do."""
     ball = enclose(a / (b * x**2), 1.7, 0.9, 2.5)
     assert ball.contains(arb(1.7 / (0.9 * 2.5**2)))
     assert not ball.contains(arb(1.7 / 0.9 * 2.5**2))
@@ -97,7 +97,7 @@ def test_what_is_prepared_in_float32_stays_float32() -> None:
 
 
 def test_every_operation_of_a_stage_has_a_ball() -> None:
-    # These are taken of whole arrays.
+    # These apply to whole arrays.
     special = {*VIEWS, "sum", "every", "quadratic_form", "nonnegative_form"}
     compiled = {"power_of_two", "normal_tail"}
     assert {kind for kind in KINDS if kind not in ENCLOSING} <= special | compiled

@@ -1,4 +1,4 @@
-"""A search climbs, and finds what is planted."""
+"""A search climbs, and finds a planted fault."""
 
 from __future__ import annotations
 

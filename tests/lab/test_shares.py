@@ -1,4 +1,4 @@
-"""Shares of parts: the oracle against mpmath, and where each way of computing them fails."""
+"""Shares of parts: the oracle agrees with mpmath, and each way fails where it is expected to."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def relative(errors: Errors) -> np.ndarray:
 
 
 def integrate_independently(name: str, row: tuple[float, ...]) -> mp.mpf:
-    """Over the true deviation in pieces, each tail of M by the complementary error function."""
+    """Integrate over the true deviation in pieces, with M's tails from the error function."""
     mean, std, bias, error, low, high = map(mp.mpf, row)
 
     def tail(z: mp.mpf) -> mp.mpf:
@@ -114,7 +114,7 @@ def test_the_sets_reach_the_tails() -> None:
 @pytest.mark.parametrize("form", ["Owen's T", "multivariate_normal"])
 @pytest.mark.parametrize("name", ["wrongly_accepted", "wrongly_rejected"])
 def test_differences_lose_the_digits_of_the_share(form: str, name: str) -> None:
-    """They keep a few eps of one: as many digits are gone as the share is small."""
+    """Their error is a few eps of one: a share of 10**-n has lost n digits."""
     truth = truth_of_ladder(name)
     errors = run(name, form, LADDER, truth)
     assert np.all(errors.absolute <= 16 * EPS)
@@ -147,7 +147,7 @@ def test_a_simulation_sees_nothing_below_its_count(count: str, seen: float) -> N
 
 
 def test_quad_misses_a_peak_that_is_narrow_in_a_wide_range() -> None:
-    """Wrongly accepted parts lie within some errors of a limit; the range goes to infinity."""
+    """Wrongly accepted parts lie within a few errors of a limit; the range is infinite."""
     lost = []
     for error in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5):
         row = columns((0.0, 1.0, 0.0, error, -2.0, 2.5))
@@ -159,7 +159,7 @@ def test_quad_misses_a_peak_that_is_narrow_in_a_wide_range() -> None:
 
 
 def test_a_share_of_one_is_right_in_every_way() -> None:
-    """What is near one cancels nowhere: all but the simulations have its digits."""
+    """A share near one does not cancel: all ways but the simulations have its digits."""
     truth = truth_of_ladder("rightly_accepted")
     for form in (OURS, "Owen's T", "multivariate_normal", "scipy.integrate.quad"):
         assert np.all(relative(run("rightly_accepted", form, LADDER, truth)) < 1e-8), form

@@ -1,4 +1,4 @@
-"""Turns held to more than the derivation states: orthogonality, and displacements against K - I."""
+"""Turns meet more than the derivation states: orthogonality, and displacements against K - I."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROTATION, DISPLACEMENT = "track_wheel.rotation", "track_wheel.displacement"
 
 
 def test_rotation_is_orthogonal() -> None:
-    """To 3.6 eps; searches find 1.7. The bound of the entries would allow 2*sqrt(3)*7 eps."""
+    """Within 3.6 eps; searches find 1.7. The entries' bound would allow 2*sqrt(3)*7 eps."""
     names = [point_set.name for point_set in list_sets(find_subject(ROTATION))]
     assert names
     for name in names:
@@ -25,7 +25,7 @@ def test_rotation_is_orthogonal() -> None:
 
 
 def norm_of_turn(angles: Array) -> Array:
-    """Return the norm of K - I, the same across its axis in all directions: Frobenius/sqrt(2)."""
+    """Return the norm of K - I: Frobenius/sqrt(2), as all directions across the axis are equal."""
     columns = []
     for axis in np.eye(3):
         points = np.broadcast_to(axis, angles.shape)
@@ -41,7 +41,7 @@ def against_turn(points: Array, angles: Array, way: str = "kernel") -> Array:
     result = find_way(DISPLACEMENT, way).compute(*arguments)
     absolute = find_errors(result, truth_of(DISPLACEMENT, arguments)).absolute
     size = norm_of_turn(angles) * np.linalg.norm(points, axis=1)
-    # A few subnormal spacings are the range of doubles, not the formula.
+    # A few subnormal spacings are due to the range of doubles, not to the formula.
     visible = np.where(absolute <= 1e-322, 0.0, absolute)
     return np.divide(visible, size, out=np.zeros_like(size), where=size > 0)
 
@@ -56,13 +56,13 @@ def test_displacement_relative_to_the_turn(angle: float) -> None:
 
 @pytest.mark.parametrize("step", [1e-12, 1e-8, 1e-3])
 def test_displacement_near_three_half_turns(step: float) -> None:
-    """Turns by about pi each cancel: K is near I though no angle is small."""
+    """Three turns by about pi cancel: K is near I although no angle is small."""
     angles = np.pi + step * np.array([[1.0, 2.0, 1.0]])
     assert against_turn(np.array([[40.0, 1.0, -20.0]]), angles)[0] <= 3e-15
 
 
 def test_the_direct_form_is_beyond_that() -> None:
-    """Entries of K less ones cancel near three half turns: the same measure sees it."""
+    """Entries of K minus ones cancel near three half turns, which the same measure shows."""
     angles = np.pi + 1e-8 * np.array([[1.0, 2.0, 1.0]])
     direct = against_turn(np.array([[40.0, 1.0, -20.0]]), angles, "direct (K^T - I)*p + t")
     assert direct[0] > 1e-10

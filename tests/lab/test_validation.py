@@ -1,4 +1,4 @@
-"""Emitted kernels are run before they are written: wrong support code and wrong sources stop it."""
+"""Emitted kernels are run before they are written; wrong support code and sources are refused."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def position() -> Subject:
 
 
 def changed(module: ModuleType, **names: Callable[..., Any]) -> ModuleType:
-    """Copy a module whose functions find other names in it."""
+    """Return a copy of a module in which its functions find `names` in place of its own."""
     source = Path(str(module.__file__)).read_text(encoding="utf-8")
     copy = ModuleType(module.__name__)
     exec(compile(source, str(module.__file__), "exec"), copy.__dict__)
@@ -68,7 +68,7 @@ def test_a_wrong_rival_stops_it(position: Subject) -> None:
 
 
 def test_a_fault_in_long_arrays_only_stops_it(position: Subject) -> None:
-    """Blocks are support code, and part of what is run."""
+    """Blocks are support code, which is run as well."""
     module = position.modules[0]
     right = module._in_blocks
 
@@ -108,7 +108,7 @@ def test_a_fault_in_one_compiled_loop_stops_it(position: Subject, way: str) -> N
 def test_code_of_the_package_is_loaded_as_such_while_it_has_its_text(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What was compiled of it is found then; what was loaded may be older than its file."""
+    """Its cached machine code is then found; a loaded module may be older than its file."""
     system, name = "tooth_thickness", "mechproof.kernels.compiled.tooth_thickness"
     copy = tmp_path / "generated"
     shutil.copytree(GENERATED, copy)

@@ -18,7 +18,7 @@ CHAIN = ("position", "velocity", "sensitivities")
 NOMINAL = (6.25, 49.75, 38.0, 83.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
 
 
-# A short guide, over which the lever turns past the right angle, and a rod that it leaves room.
+# A guide so short that the lever turns past the right angle, and a rod that fits.
 SHORT = (6.25, 19.75, 38.0, 20.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
 OVER = np.concatenate([np.linspace(-120, -85, 30), np.linspace(-4, -0.5, 10)])
 
@@ -28,7 +28,7 @@ def errors(quantity: str, way: str, arguments: Arguments) -> Errors:
 
 
 def working(count: int) -> Arguments:
-    """Return points of the working stroke in contact, sizes off by up to a percent."""
+    """Return points of the working stroke in contact, with sizes varied by up to a percent."""
     rng = np.random.default_rng(9)
     sizes = np.array(NOMINAL) * (1 + 0.01 * rng.uniform(-1, 1, (count, len(NOMINAL))))
     return rng.uniform(-38, -5, count), *sizes.T
@@ -50,7 +50,7 @@ def position_by_vectors(
     alpha_kl: mp.mpf,
     alpha_lm: mp.mpf,
 ) -> mp.mpf:
-    """Turn complex numbers: AD from its parts along and across the guide, KL by its cosine."""
+    """Return the position from turned complex numbers: AD from its parts, KL from its cosine."""
     from_a_to_d = mp.mpc(-(l_ab + l_cd) - x1, -l_bc)
     guide = mp.sqrt(abs(from_a_to_d) ** 2 - (l_ab + l_cd) ** 2)
     turn = from_a_to_d / mp.mpc(-(l_ab + l_cd), -guide)
@@ -60,7 +60,7 @@ def position_by_vectors(
 
 
 def slope(index: int, point: list[mp.mpf]) -> mp.mpf:
-    """Differentiate by one argument: the step of 1e-20 leaves 1e-40 of third derivatives."""
+    """Return the central difference in one argument, off by 1e-40 times third derivatives."""
     step = mp.mpf(10) ** -20
     ends = ([*point[:index], point[index] + s, *point[index + 1 :]] for s in (step, -step))
     high, low = (position_by_vectors(*end) for end in ends)
@@ -82,7 +82,7 @@ def test_the_truth_is_that_of_turned_vectors() -> None:
                 highs, lows = (np.ravel(part[i]) for part in (truth[name].high, truth[name].low))
                 for high, low, value in zip(highs, lows, values, strict=True):
                     gap = abs(mp.mpf(float(high)) + mp.mpf(float(low)) - value)
-                    # Two doubles hold 2**-106; the differences are off by some 1e-38.
+                    # Two doubles resolve 2**-106; the differences are off by some 1e-38.
                     assert gap <= 2.0**-100 * (1 + abs(value)), name
 
 
@@ -102,7 +102,7 @@ def test_the_scales_are_the_conditioning() -> None:
 
 
 def condition_of_slope(index: int, point: list[mp.mpf]) -> mp.mpf:
-    """|slope| + sum of |p * d slope/d p|, by differences of differences."""
+    """Return |slope| + sum of |p * d slope/d p|, by differences of differences."""
     step, total = mp.mpf(10) ** -12, abs(slope(index, point))
     for j, p in enumerate(point):
         ends = ([*point[:j], p + s, *point[j + 1 :]] for s in (step, -step))
@@ -153,7 +153,7 @@ def test_angles_lose_a_digit_for_each_decade_of_small_motion(
 def test_the_hole_at_r_zero() -> None:
     alpha = np.linspace(0.3, 1.3, 40)
     arguments = 60 * np.cos(alpha), np.full(40, 60.0), alpha
-    # R = 0 as computed, everywhere: what is printed has no value, a single condition takes (8).
+    # The computed R is 0 everywhere: the print has no value, and a single condition selects (8).
     printed = find_way("wedge_linkage.roller_lever_angle", "printed (7), (8)").compute
     with np.errstate(all="ignore"):
         assert np.isnan(printed(*arguments)).all()
@@ -166,7 +166,7 @@ def test_the_hole_at_r_zero() -> None:
 
 
 def test_a_nearly_level_roller_lever_loses_two_digits_for_each_decade() -> None:
-    """cos(alpha_KL) keeps eps of one, of which alpha_KL**2/2 is left."""
+    """cos(alpha_KL) has an error of one eps, of which alpha_KL**2/2 is left."""
     for name in ("arccosine", "atan2", "kernel"):
         lost = []
         for exponent in (1, 3, 5):
@@ -185,7 +185,7 @@ def test_the_printed_chain_is_lost_where_the_lever_is() -> None:
     arguments = OVER, *map(np.array, SHORT)
     past = np.abs(kernels.lever_angle(*arguments[:4])) > np.pi / 2
     far = errors("position", "printed chain", arguments).scaled > 1e6
-    # Where the rod stays free of the link 5' all is zero.
+    # Where the rod does not touch link 5', everything is zero.
     assert far[past].any()
     assert not far[~past].any()
     assert np.max(errors("position", "chain with atan2", arguments).scaled) < 100
@@ -211,12 +211,12 @@ def test_before_contact_only_ours_is_zero() -> None:
     assert not find_subject("wedge_linkage.position").kernel(*arguments).any()
     for way in ("printed chain", "chain with atan2"):
         moved = find_way("wedge_linkage.position", way).compute(*arguments)
-        # An arctangent less a direction, both of some unit: not zero, but next to it.
+        # An arctangent minus a direction, both of the order of 1: nearly zero, but not exactly.
         assert np.max(np.abs(moved)) < 1e-12, way
 
 
 def test_where_the_definition_stays_wide_the_form_decides() -> None:
-    """Nothing moves: x5 = 0, before contact, and an arm that comes level again."""
+    """Nothing moves: at x5 = 0, before contact, and where an arm becomes level again."""
     standing = {
         "roller_lever_angle": (0.0, 60.0, 1.13),
         "rod_displacement": (0.75, 83.0, -0.375),
@@ -226,13 +226,13 @@ def test_where_the_definition_stays_wide_the_form_decides() -> None:
         truth = truth_of(f"wedge_linkage.{name}", tuple(np.array([v]) for v in row))
         assert truth.decided.all(), name
         assert truth.high.tolist() == truth.low.tolist() == [0.0]
-    # Out of reach the definition has no value, whatever the form would give.
+    # Out of reach the definition has no value, whatever the form gives.
     far = tuple(np.array([v]) for v in (200.0, 60.0, 1.13))
     assert truth_of("wedge_linkage.roller_lever_angle", far).undecided == 1
 
 
 def test_differences_keep_half_of_the_digits() -> None:
-    # eps/h of some 100 mm is 1e-10, h**2/6 of the third derivative less.
+    # eps/h times some 100 mm is 1e-10; h**2/6 times the third derivative is less.
     for quantity, way in (
         ("velocity", "central difference"),
         ("sensitivities", "central differences"),
@@ -241,7 +241,7 @@ def test_differences_keep_half_of_the_digits() -> None:
 
 
 def test_no_bound_where_the_roller_lever_hardly_follows() -> None:
-    """KL is level but for less than the rod's run is rounded by: the slope may be NaN."""
+    """KL is off level by less than the rounding of the rod's run: the slope may be NaN."""
     level = (
         -0.26784079663289784, 1.5279026231293567, 1092.3953956259627, 0.2136745810544649,
         3525.241417347131, 0.003523544605475815, 0.4827637386971511, 10.63721859660619,
@@ -254,7 +254,7 @@ def test_no_bound_where_the_roller_lever_hardly_follows() -> None:
 
 
 def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
-    """The run is 9e-18 short of the clearance; doubles of the definition see 1e-13 between them."""
+    """The run is 9e-18 short of the clearance; in doubles the definition finds a gap of 1e-13."""
     before = (
         0.0028252788543311736, 1210.8334835027838, 11.077635138896323, 2.5615589773828766,
         725.5293266128575, 0.17837839900148017, 3072.6300826144648, 1.545769415188927,
@@ -276,7 +276,7 @@ def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
     ],
 )
 def test_no_bound_where_squares_leave_the_doubles(name: str, sizes: tuple[float, ...]) -> None:
-    """What the kernel gives there is finite and far off: nothing else tells."""
+    """There the kernel's result is finite and far off, so nothing else warns of it."""
     arguments = tuple(np.array([v]) for v in sizes)
     subject = find_subject(f"wedge_linkage.{name}")
     with np.errstate(all="ignore"):
@@ -288,7 +288,7 @@ def test_no_bound_where_squares_leave_the_doubles(name: str, sizes: tuple[float,
 
 
 def check_bound(name: str, arguments: Arguments) -> None:
-    """Require the bound at points of which a fifth at least lie where it is stated."""
+    """Check the bound at points of which at least a fifth lie where it is stated."""
     subject = find_subject(f"wedge_linkage.{name}")
     truth = truth_of(subject.name, arguments)
     held = mark_accuracy_domain(subject, arguments) & truth.decided

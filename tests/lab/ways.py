@@ -1,4 +1,4 @@
-"""Quantities, ways of computing them and their errors against the oracle, for the tests here."""
+"""Quantities, ways to compute them, and their errors against the oracle, for these tests."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ KNOWN: dict[tuple[object, ...], Truth] = {}
 
 
 def truth_of(quantity: str, arguments: Arguments) -> Truth:
-    """Return the truth, which several ways are held against."""
+    """Return the true values, cached because several ways are compared with them."""
     key = (quantity, *((np.shape(a), np.asarray(a).tobytes()) for a in arguments))
     if key not in KNOWN:
         KNOWN[key] = find_truth(find_subject(quantity), arguments)
@@ -53,26 +53,26 @@ def truth_of(quantity: str, arguments: Arguments) -> Truth:
 
 
 def compare(quantity: str, name: str, arguments: Arguments) -> Errors:
-    """Compare a way with the oracle; NaN where that is undecided."""
+    """Return a way's errors against the oracle, NaN where it is undecided."""
     with np.errstate(all="ignore"):
         result = find_way(quantity, name).compute(*arguments)
     return find_errors(result, truth_of(quantity, arguments))
 
 
 def run(quantity: str, name: str, arguments: Arguments) -> Errors:
-    """Compare a way with the oracle, which decides every point."""
+    """Return a way's errors against the oracle, which must decide every point."""
     assert truth_of(quantity, arguments).undecided == 0
     return compare(quantity, name, arguments)
 
 
 def sum_up(quantity: str, name: str, arguments: Arguments) -> SetErrors:
-    """Summarise the same, wrong branches included."""
+    """Return a summary of a way's errors, including the number of wrong branches."""
     errors = run(quantity, name, arguments)
     return summarise(errors, truth_of(quantity, arguments), find_subject(quantity).period)
 
 
 @cache
 def draw_set(quantity: str, name: str, share: float = 1.0) -> Arguments:
-    """Draw the set whose name has this in it."""
+    """Draw the first set whose name contains `name`."""
     sets = list_sets(find_subject(quantity), share)
     return draw_points(next(s for s in sets if name in s.name), REPORT)

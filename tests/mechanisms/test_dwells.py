@@ -1,4 +1,4 @@
-"""The search for drives that dwell, against dense grids; what is open, and what is refused."""
+"""The search for drives that dwell, against dense grids; cases left open, and refused input."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def precision() -> Iterator[None]:
 
 
 def find_least_range(k: float, e: float, width: float, samples: int = 2000) -> float:
-    """Return the least range of phi3 over a carrier angle, of all places in a period."""
+    """Return the least range of phi3 over a carrier angle of `width`, anywhere in a period."""
     step = width / samples
     phi = np.arange(math.ceil(math.pi / k / step) + samples + 2) * step
     phi3 = kernels.position_cylindrical(phi, k, 1.0, e)
@@ -44,15 +44,15 @@ def find_longest_rest(k: float, e: float, eta: float, samples: int = 20000) -> f
 
 
 def grid(spans: list[Span], limit: Fraction) -> Iterator[tuple[float, bool]]:
-    """Eccentricities all over and close to the ends, and whether they are in a span."""
+    """Yield eccentricities of the whole range and near span ends, and whether a span holds them."""
     ends = [float(end) * near for s in spans for end in s[1:3] for near in (0.999, 1.001)]
     for e in (*np.linspace(0.002, float(limit), 30), *ends):
         if 0 < e <= limit:
             yield float(e), any(s.low <= e <= s.high for s in spans)
 
 
-# Teeth, carrier angle and band in degrees, eta, limit of e2; in three at least the output returns
-# by more than the band, in two R4/R5 is below 1, in one both are equal.
+# Teeth, carrier angle and band in degrees, eta, limit of e2; in at least three the output returns
+# by more than the band, in two R4/R5 is below 1, in one it is 1.
 CASES = [
     (30, 20, 20, 0.1, 0.02, Fraction(1, 3)),
     (18, 17, 35, 0.1, 0.05, Fraction(1, 3)),
@@ -76,7 +76,7 @@ def test_a_band_misses_nothing_and_finds_nothing_else(case: tuple[Any, ...]) -> 
         if k == 1 and math.asin(e) <= half:
             assert not inside
             continue
-        # The range of samples is short by the square of their distance.
+        # The sampled range is too small by the square of the sample spacing.
         spread = find_least_range(float(k), e, width) / (2 * half)
         assert inside == (spread <= 1) or abs(spread - 1) < 1e-4, e
 
@@ -88,7 +88,7 @@ def test_a_ratio_misses_nothing_and_finds_nothing_else(case: tuple[Any, ...]) ->
     spans = ratio.find_spans(k, ratio.RestRequest(Fraction(width), Fraction(eta), limit))
     for e, inside in grid(spans, limit):
         longest = find_longest_rest(float(k), e, eta)
-        # A rest of samples is short by two of them, 9e-3 degrees.
+        # A sampled rest is too short by two samples, 9e-3 degrees.
         clear = abs(longest - width) > 2 * math.pi / float(k) / 20000
         assert inside == (width <= longest < math.inf) or not clear, e
 
@@ -97,7 +97,7 @@ def test_the_table_is_complete_and_its_drives_dwell() -> None:
     band = math.radians(0.1)
     found = OvalPlanetary.find_dwells(math.radians(20), band=band, teeth=(18, 24))
     assert found.complete
-    # Of 7 pairs the ratio is 1; the others are all different.
+    # In 7 pairs the ratio is 1; all other ratios differ.
     assert (found.pairs, found.ratios) == (49, 43)
     assert [d.width for d in found.candidates] == sorted(
         (d.width for d in found.candidates), reverse=True

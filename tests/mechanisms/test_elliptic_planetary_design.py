@@ -1,4 +1,4 @@
-"""Sizes from what is wanted of the ratio, and the extremes of its derivatives."""
+"""Sizes from requirements on the ratio, and the extremes of its derivatives."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ECCENTRICITIES = (0.0, 1e-9, 0.1, 0.101, 0.102, 0.28, 0.475, 0.9, 0.999)
 
 
 def wishes(drive: EllipticPlanetary) -> dict[str, float]:
-    """What is asked for by name, of a drive."""
+    """Return the requirements, by their argument names, that a drive exactly meets."""
     found = drive.extremes()
     return {
         "largest_ratio": found.maximum,
@@ -30,7 +30,7 @@ def wishes(drive: EllipticPlanetary) -> dict[str, float]:
 def test_a_drive_is_found_again_from_what_it_does(radii: tuple[float, float], e: float) -> None:
     drive = EllipticPlanetary(*radii, e)
     for name, value in wishes(drive).items():
-        # Where e is nearly 0 a wish may be beyond that of e = 0 by its rounding.
+        # At e = 0 rounding may put a wish out of reach.
         if e == 0 and name != "non_uniformity":
             continue
         found = EllipticPlanetary.design(R1=radii[0], R2=radii[1], **{name: value})
@@ -118,7 +118,7 @@ def test_extremes_of_derivatives_are_attained_and_not_passed(e: float, of: Any) 
     found, curve = drive.extremes(of), getattr(drive, of)
     assert found.period == drive.extremes().period
     x = np.linspace(0, 2 * math.pi, 20001)
-    # Uniform in x, and by the speed near the peak, which is as narrow as 1 - e.
+    # Uniform in x, and dense near the peak, which is as narrow as 1 - e.
     angles = np.concatenate([x, 2 * np.arctan((1 - e) / (1 + e) * np.tan(x / 2))]) * 16 / 66
     values = curve(angles)
     # 24 eps of the jerk's terms, which are up to twice its peak, and 21 of the closed form.

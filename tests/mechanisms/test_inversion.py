@@ -95,7 +95,7 @@ INVERSES = {
 
 
 class Series(np.lib.mixins.NDArrayOperatorsMixin):
-    """Values with an index that ufuncs keep, as those of pandas."""
+    """Values with an index that ufuncs keep, like a pandas series."""
 
     def __init__(self, values: Array, index: list[str]) -> None:
         self.values, self.index = np.asarray(values), index

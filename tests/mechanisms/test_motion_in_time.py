@@ -76,7 +76,7 @@ def test_shapes_nan_and_what_is_refused() -> None:
 
 
 def start_up(t: Any) -> Any:
-    """Carrier that comes to 12 rad/s, with a ripple."""
+    """Return the angle of a carrier that runs up to 12 rad/s, with a ripple."""
     return 12 * (t - np.tanh(t)) + 0.02 * np.sin(20 * t)
 
 

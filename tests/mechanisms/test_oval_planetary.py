@@ -44,7 +44,7 @@ def test_bad_parameters_are_named(make: Any, error: type[Exception], message: st
 
 
 def test_exact_parameters_are_checked_exactly() -> None:
-    """Both round to a double outside the domain, 1 and infinity."""
+    """Both would round to doubles outside the domain, 1 and infinity."""
     nearly_one, large = 1 - Fraction(1, 10**30), 10**400
     assert OvalPair(nearly_one).e == nearly_one
     assert 2 * large == CylindricalPair(large, 2 * large).R5

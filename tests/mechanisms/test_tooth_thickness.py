@@ -63,7 +63,7 @@ def test_published_wheel_has_the_printed_chord_and_height() -> None:
 
 
 def exact_change(wheel: ToothThickness, dh: float) -> tuple[Any, Any]:
-    """Change of thickness and its scale of error, by the polar involute at 60 digits."""
+    """Return the change of thickness and its error scale, from the polar involute."""
     m, z, alpha = mp.mpf(wheel.m), wheel.z, mp.mpf(wheel.alpha)
     base, start = m * z * mp.cos(alpha) / 2, mp.pi / (2 * z) + mp.tan(alpha) - alpha
     nominal = m * (mp.mpf(z) / 2 + mp.pi * mp.sin(2 * alpha) / 8)
@@ -230,7 +230,7 @@ def test_one_error_of_any_law_stays_whole() -> None:
 
 
 def test_errors_far_from_zero_keep_the_absolute_bound() -> None:
-    # A million widths: what a place loses in rounding.
+    # A million widths away, where places lose digits to rounding.
     half, far = 2.0**-10, 2.0**10
     others = [Uniform(-2 * half, half), Normal(0.0, half)]
     found = exact_shares(

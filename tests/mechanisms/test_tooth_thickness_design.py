@@ -32,7 +32,7 @@ GAUGE = inspect(Normal(0.0, 0.001))
 
 
 def integrate(inspection: ThicknessInspection, name: str, acceptance: tuple[float, float]) -> float:
-    """A risk with normal errors, by quadrature over the true deviation."""
+    """Return a risk with normal errors, by quadrature over the true deviation."""
     mean, std = float(inspection.true.mean), float(inspection.true.std)  # type: ignore[union-attr]
     spread = math.hypot(*(float(law.std) for law in inspection.errors))  # type: ignore[union-attr]
     (low, high), (least, most) = inspection.tolerance, acceptance

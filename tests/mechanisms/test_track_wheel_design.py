@@ -1,4 +1,4 @@
-"""The track wheel backwards: largest tilt and offset, worst pose; and the normal error."""
+"""Design of the track wheel: largest tilt and offset, worst pose; and the normal error."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ POSES = ((0.0, 0.0), (1e-9, 0.0), (0.0, 1e-7), (1e-3, 1e-2), (0.3, 5.0), (1.5, 1
 
 
 def turn(axis: float, tilt: float) -> Any:
-    """The matrix of Rodrigues for a horizontal axis at a polar angle."""
+    """Return Rodrigues' matrix for a tilt about the horizontal axis at the polar angle `axis`."""
     x, y = math.cos(axis), math.sin(axis)
     cross = np.array([[0, 0, y], [0, 0, -x], [-y, x, 0]])
     return np.eye(3) + math.sin(tilt) * cross + (1 - math.cos(tilt)) * cross @ cross
@@ -45,14 +45,14 @@ def test_no_direction_is_worse_than_the_worst_pose(wheel: TrackWheel, name: str)
             moved += offset * np.array([math.cos(way), math.sin(way), 0])
             found = max(found, np.linalg.norm(moved[:, :axes], axis=1).max())
         assert found <= largest * (1 + 100 * EPS)
-        # A coarse search of directions comes near it: the largest is no idle bound.
+        # A coarse search of directions comes close, so the largest is nearly attained.
         assert found > 0.9 * largest
         everywhere = getattr(pose, name)(np.linspace(0, 7, 4001))
         assert everywhere.max() <= largest * (1 + 100 * EPS)
 
 
 def exact_largest(wheel: TrackWheel, name: str, tilt: float, offset: float) -> Any:
-    """The largest error at a crest, by the turned vector at 40 digits."""
+    """Return the largest error at a crest, from the turned vector at 40 digits."""
     rho, height = mp.mpf(wheel.R) + abs(mp.mpf(wheel.A)), mp.mpf(wheel.H)
     turned = mp.matrix([[mp.cos(tilt), -mp.sin(tilt)], [mp.sin(tilt), mp.cos(tilt)]])
     end = turned * mp.matrix([rho, height])
@@ -75,7 +75,7 @@ def test_tilt_and_offset_are_found_again(
         found = wheel.largest_offset(**{name: float(error)}, tilt=tilt)
         again = exact_largest(wheel, name, tilt, found)
         size = wheel.R + abs(wheel.A) + wheel.H
-        # The displacement that is taken off is good to 13.5 eps of its size.
+        # The subtracted displacement is good to 13.5 eps of its size.
         assert abs(again - error) <= 20 * EPS * (error + 2 * math.sin(tilt / 2) * size)
 
 
@@ -98,7 +98,7 @@ def test_worst_pose_is_tilted_and_offset_by_as_much_as_asked() -> None:
 
 
 def exact_normal_error(wheel: TrackWheel, phi: float) -> Any:
-    """Projection on the normal from the derivative of (16) at 40 digits."""
+    """Return the projection on the normal, from the derivative of (16) at 40 digits."""
 
     def point(at: Any) -> Any:
         theta = wheel.z * at
@@ -120,7 +120,7 @@ def test_error_along_the_normal(wheel: TrackWheel) -> None:
     assert (np.abs(got) <= size * (1 + 8 * EPS)).all()
     with mp.workdps(40):
         for phi, error, scale in zip(angles.tolist(), got, size, strict=True):
-            # The slope, of order z, has some eps of z*phi; it turns the normal by that at most.
+            # The slope, of order z, is off by some eps of z*phi and turns the normal by no more.
             margin = 20 * EPS * (1 + wheel.z * abs(phi)) * wheel.z * scale
             assert abs(exact_normal_error(placed, phi) - error) <= margin
     assert isinstance(placed.normal_error(1.0), np.float64)

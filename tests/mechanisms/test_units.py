@@ -1,4 +1,4 @@
-"""Degrees and quantities of pint: what is taken in a unit is given back in it."""
+"""Degrees and pint quantities: results come back in the units of the arguments."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_degrees_are_radians_times_a_factor(mechanism: Any) -> None:
 
 
 def test_a_ratio_by_degrees_is_the_slope_of_the_position_in_degrees() -> None:
-    """A derivative by the angle is one by a degree: differences say so, to their square."""
+    """Derivatives by the angle are per degree, as differences show to second order."""
     step = 1e-4
     rise = np.diff(ELLIPTIC.ratio([30.0, 30.0 + step], degrees=True))[0] / step
     assert rise == pytest.approx(ELLIPTIC.acceleration(30.0, degrees=True), rel=1e-4)

@@ -32,7 +32,7 @@ X1 = np.linspace(-40, 0, 81)
 
 
 def points(quantity: Quantity, count: int = 250) -> Iterator[list[float]]:
-    """Sizes of the first set, off by 2 % or by up to half; displacements far, near 0 and tiny."""
+    """Yield points with the first set's sizes, off by 2 % or more, and large or tiny motions."""
     random = np.random.default_rng(20215)
     nominal = np.array(dataclasses.astuple(FIRST))
     for number in range(count):
@@ -50,7 +50,7 @@ def points(quantity: Quantity, count: int = 250) -> Iterator[list[float]]:
 
 
 def exact(quantity: Quantity, point: list[float]) -> tuple[Any, Any]:
-    """Balls of the definition and of the scale of its accuracy."""
+    """Return balls of the definition and of the scale of its accuracy bound."""
     values: dict[sp.Basic, Any] = dict(
         zip((a.symbols[0] for a in quantity.arguments), point, strict=True)
     )
@@ -64,7 +64,7 @@ def exact(quantity: Quantity, point: list[float]) -> tuple[Any, Any]:
 
 
 def worst_error(quantity: Quantity, function: Callable[..., Any]) -> float:
-    """Error in eps * scale at the points inside the domain; infinite where NaN is wrong."""
+    """Return the worst error in eps * scale inside the domain; infinity for a wrong NaN."""
     worst = 0.0
     for point in points(quantity):
         value, scale = exact(quantity, point)
@@ -98,7 +98,7 @@ def test_every_sensitivity_keeps_the_bar(index: int) -> None:
 
 
 def naive_roller(x5: float, length: float, angle: float) -> Any:
-    """Equation (7) and (8) as printed: cancels at x5 = 0 and has no value at R = 0."""
+    """Compute (7) and (8) as printed, which cancel at x5 = 0 and have no value at R = 0."""
     r = length * np.cos(angle) - x5
     return np.arctan(np.sqrt(length**2 - r**2) / r) - angle + (np.pi if r < 0 else 0)
 
@@ -151,7 +151,7 @@ def test_sensitivities_are_the_derivatives(name: str) -> None:
 
 
 def test_closed_forms_are_the_definitions() -> None:
-    """Velocity and sensitivities, generated from the half-angle forms, against their meaning."""
+    """Velocity and sensitivities, generated from half-angle forms, equal their definitions."""
     for name in ("velocity", "sensitivities"):
         quantity = next(q for q in PAPER.quantities if q.name == name)
         for x1 in (-40.0, -29.4, -10.0, -2.0):

@@ -1,4 +1,4 @@
-"""Programs of elementary functions with a step altered, and what is then proved of them."""
+"""Programs of elementary functions with altered steps, and the bounds then proved for them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def change(kind: str, edit: Callable[[Operation], Operation]) -> Function:
 
 
 def prove_changed(kind: str, changed: Function, monkeypatch: pytest.MonkeyPatch) -> float:
-    # What is proved of the function itself is kept: it must not be of the changed one.
+    # `prove` caches the bound of the function itself: that of the changed one must not enter.
     with monkeypatch.context() as patch:
         patch.setattr(elementary_errors, "build", lambda *_: changed)
         return prove.__wrapped__(kind).most

@@ -1,4 +1,4 @@
-"""The certificates of the package, and what they are about."""
+"""The package's certificates, and the computed stages whose errors they bound."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from mechproof.roundoff.certificate_files import FOLDER, find_certificate
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 
 GENERATED = Path(next(iter(mechproof.kernels.__path__)))
-# Of the tests that need all subjects: one worker lowers them once.
+# For tests that need all subjects: one worker lowers them once.
 GROUP = "certificates"
 SYSTEMS = sorted(path.stem for path in (GENERATED / FOLDER).glob("*.json"))
 

@@ -1,4 +1,4 @@
-"""Stages of the linkage that are bounded: their scales are what the derivation says."""
+"""Bounded stages of the linkage have the scales that the derivation states."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_the_terms_add_up_to_the_scale(name: str) -> None:
 
 @pytest.mark.slow
 def test_waves_are_joined_without_a_change() -> None:
-    """The scale of an arm is written by products, and is what the paper's derivation says."""
+    """The arm's scale is written as products, and equals that of the paper's derivation."""
     subject = next(s for s in subjects().values() if s.kernel.name == "rod_displacement")
     accuracy = subject.kernel.quantity.accuracy
     assert subject.scale is not None
@@ -62,7 +62,7 @@ def test_waves_are_joined_without_a_change() -> None:
 
 @pytest.mark.slow
 def test_a_step_twice_is_one_more_rounding() -> None:
-    """Of every bounded stage of the linkage: a result rounded once more has a larger bound."""
+    """A lever angle that is rounded once more has a larger bound, in every stage."""
     for subject in (s for s in subjects().values() if s.kernel.name == "lever_angle"):
         region = next(list_regions(subject.form.charts[0]))
         boxes = np.array([[(0.3, 0.31) if side[1] <= 1 else side for side in region.box]])

@@ -1,4 +1,4 @@
-"""Bounds over boxes hold for what is computed, and are no larger than what is known of others."""
+"""Bounds over boxes hold for computed values, and are as tight as those of other tools."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ FILE = Path(__file__).parents[2] / "docs" / "fpbench" / "benchmarks.fpcore"
 DOUBLES, REAL = Convention(ulps=0.5), Convention(rounded_inputs=True, ulps=0.5)
 RELATIVE = Convention(relative=True)
 COARSE = 0.02
-# By FPTaylor (Solovyev et al. 2018), the last one by Gappa (Daumas and Melquiond 2010) with its box
-# cut into parts, of these programs with these conventions.
+# Bounds of these programs under these conventions by FPTaylor (Solovyev et al. 2018), the last by
+# Gappa (Daumas and Melquiond 2010) with its box cut into parts.
 QUICK = {
     "verhulst": (1.811e-16, 2.496e-16),
     "rigidBody1": (2.132e-13, 2.949e-13),
@@ -57,7 +57,7 @@ def test_bounds_are_as_tight_as_those_of_others_and_nothing_exceeds_them(name: s
 
 
 def test_a_bound_that_is_too_low_is_exceeded_by_an_input() -> None:
-    """The twin: a step whose rounding is left out lowers the bound, and the search finds it."""
+    """The twin: leaving out one step's rounding lowers the bound, and the search exceeds it."""
     program = program_of("verhulst", DOUBLES)
     steps = tuple(
         replace(step, ulps=0.0) if step.kind == "divide" else step
@@ -85,13 +85,13 @@ def test_relative_errors_are_bounded_where_the_value_does_not_vanish() -> None:
     largest = bound_of(program)
     assert worst is not None
     assert 0.7 * largest.bound <= worst.error <= largest.bound < 6e-16
-    # A sum of squares that is zero where no input is.
+    # A sum of squares that is zero where no input is zero.
     assert bound_of(program_of("himmilbeau", RELATIVE), parts=2000).bound == np.inf
 
 
 @pytest.mark.parametrize("tiny", [Fraction(2) ** -1070, Fraction(2) ** -600])
 def test_what_falls_below_the_normal_range_is_not_searched(tiny: Fraction) -> None:
-    """There a real input, or what is multiplied, is not rounded to a share of itself."""
+    """There the rounding of an input or a product is not bounded by a share of its value."""
     (core,) = read_cores("(FPCore (x) :pre (<= 0 x 1) (* x x))")
     program = put_in_box(core.straight, core.box, Convention(True, True))
     assert measure(program, {"x": tiny / 3}) == -1.0
@@ -101,7 +101,7 @@ def test_what_falls_below_the_normal_range_is_not_searched(tiny: Fraction) -> No
 
 
 def test_what_vanishes_with_an_input_keeps_a_relative_bound() -> None:
-    """x/(x + 1) on [0, 999]: two roundings of half an ulp, down to zero."""
+    """For x/(x + 1) on [0, 999]: two roundings of half an ulp each, down to zero."""
     largest = bound_of(program_of("t_div_t1", RELATIVE))
     assert largest.bound <= 2.04 * 2.0**-53
 
@@ -116,7 +116,7 @@ def test_a_pole_is_named() -> None:
 
 
 def test_the_errors_of_numbers_are_known_with_their_signs() -> None:
-    """The differences are exact: nothing is off but the numbers."""
+    """The differences are exact: only the numbers themselves have errors."""
     text = "(FPCore (x) :pre (<= 0.0625 x 0.125) (- {} x))"
     for number, wrong in (("(/ 1 10)", Fraction(1, 10)), ("(- 0.3 0.2)", Fraction(1, 10))):
         (core,) = read_cores(text.format(number))

@@ -1,4 +1,4 @@
-"""Branches by a sign: either is bounded where it may be taken, and both are one function."""
+"""Branches by a sign: each is bounded where it may be taken, and both compute one function."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ ROOT = StraightLineProgram(("u", "w"), STEPS, ("chosen",))
 
 
 def change(number: int, **changes: object) -> StraightLineProgram:
-    """Return the steps with one of them changed."""
+    """Return the program with changes to step `number`."""
     steps = [*STEPS]
     steps[number] = replace(steps[number], **changes)  # type: ignore[arg-type]
     return replace(ROOT, steps=tuple(steps))
@@ -143,7 +143,7 @@ def test_both_branches_count_where_the_sign_is_not_known() -> None:
         box = np.array([[near[name.name] for name in region.names]])
         alone = [stage._bound(branch, region, box, ())[0] for branch in stage.branches]
         assert stage.bound(region, box)[0] == max(alone)
-        # Where the sign is known only one counts, the one that does not cancel.
+        # Where the sign is known, only the branch that does not cancel counts.
         far = {**sides, "theta": (3.0, 3.01)}
         box = np.array([[far[name.name] for name in region.names]])
         above, below = (stage._bound(branch, region, box, ())[0] for branch in stage.branches)

@@ -1,4 +1,4 @@
-"""Certificates of rounding errors: they hold, they are checked, and what is wrong is refused."""
+"""Certificates of rounding errors hold, are checked, and are refused when wrong."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_random_inputs_are_off_by_no_more_than_is_proved(claim: RoundingClaim) -
     subject, rng = subject_of(claim), np.random.default_rng(4711)
     regions = [region for chart in subject.form.charts for region in list_regions(chart)]
     drawn = [measure(subject, draw(subject, one, one.box, 1000, rng)) for one in regions]
-    # Of regions alike one may lie outside the domain, and in one nothing may be rounded.
+    # One of several similar regions may lie outside the domain, and another may round nothing.
     errors = np.concatenate(drawn)
     assert np.sum(errors >= 0) > 300
     assert 0 < errors.max() <= claim.proved
@@ -113,7 +113,7 @@ def test_boxes_that_are_cut_less_are_refused() -> None:
     claim, subject = plain()
     cuts = read_cuts(claim.cuts).copy()
     assert (cuts == WHOLE).sum() == claim.boxes
-    # What is cut last is left whole, and has no parts.
+    # Leave the box that is cut last whole, and drop its two parts.
     last = np.flatnonzero(cuts != WHOLE)[-1]
     cuts[last] = WHOLE
     fewer = replace(claim, cuts=write_cuts([cuts[:-2]]), boxes=claim.boxes - 1)
@@ -237,7 +237,7 @@ def test_a_wrong_number_is_refused_even_under_its_own_hash() -> None:
 
 
 def test_every_rounding_counts() -> None:
-    """Without one of its roundings a program has a lower bound, without an operation another."""
+    """Leaving out any one rounding of a program lowers its bound."""
     _, subject = compiled()
     region = next(list_regions(subject.form.charts[0]))
     boxes = np.array([[(0.3, 0.31) if math.isfinite(side[1]) else side for side in region.box]])
@@ -254,7 +254,7 @@ def test_every_rounding_counts() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
 def test_no_part_of_a_box_has_a_larger_bound(claim: RoundingClaim) -> None:
-    """What holds on a box holds on its parts, at ends where something vanishes or has a pole."""
+    """A bound on a box holds on its parts, also at ends where something vanishes or has a pole."""
     subject, rng = subject_of(claim), np.random.default_rng(5)
     region = next(list_regions(subject.form.charts[0]))
     box, parts = np.array(region.box), []
@@ -270,7 +270,7 @@ def test_no_part_of_a_box_has_a_larger_bound(claim: RoundingClaim) -> None:
         parts.append((large, half))
     whole, halves = (subject.bound(region, np.array(some)) for some in zip(*parts, strict=True))
     assert np.sum(np.isfinite(whole)) >= 10
-    # Errors are put to the terms of a scale in another way for every box: that is hardly a matter.
+    # Errors are assigned to a scale's terms differently for every box, which changes little.
     has_terms = subject.scale is not None and bool(subject.scale.terms)
     assert np.all(halves <= whole * (1 + (1e-3 if has_terms else 1e-9)))
     for limits, boxes in zip((whole, halves), zip(*parts, strict=True), strict=True):
@@ -319,7 +319,7 @@ def test_a_bound_for_all_is_told_so() -> None:
 
 @pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])
 def test_a_rest_that_is_not_added_is_refused(way: str) -> None:
-    """Without its low word the angle's rounding moves the output: nothing may hold it."""
+    """If the low word is not added, the angle's rounding moves the output and must not be held."""
     subject = subjects()["position", "half-angle atan with low word", way]
     free = replace(subject.straight, held=())
     assert find_compensated(free) == subject.straight

@@ -1,4 +1,4 @@
-"""Charts cover what claims say, and the worst inputs lie there."""
+"""Charts cover the places that claims state, and the worst inputs lie there."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.xdist_group(GROUP)
 def find_covered(
     subject: ComputedStage, charts: Sequence[Chart], given: Mapping[str, Array]
 ) -> Array:
-    """Say which points are in a chart: `x` as drawn, or what is left of it, and `d` for 1 - e."""
+    """Return which points lie in a chart: `x` as drawn or its rest, and `d` for 1 - e."""
     names = input_names(subject.kernel.quantity)
     symbols = {name: sp.Symbol(f"drawn {name}") for name in ("1/k", "x", "d")}
     covered = np.zeros(len(given["x"]), bool)
@@ -45,7 +45,7 @@ def find_covered(
             low, high = (
                 float(end) for end in (chart.within[coordinate].inf, chart.within[coordinate].sup)
             )
-            # By a few roundings of numbers of the size of pi.
+            # Up to a few roundings of numbers of the size of pi.
             inside &= (value >= low * (1 - 1e-9) - 1e-15) & (value <= high * (1 + 1e-9))
         covered |= inside
     return covered
@@ -67,7 +67,7 @@ LIMITS = (
 
 @cache
 def list_limits() -> dict[str, tuple[float, float]]:
-    """Return the limits of the linkage's first set, at least 0.1 % from what is nominal."""
+    """Return the limits of the linkage's first sizes, at least 0.1 % from the nominal ones."""
     sizes = paper_of("wedge_linkage").published[0].sizes
     return {
         str(symbol): (
@@ -82,7 +82,7 @@ def are_within_limits(at: Mapping[str, Fraction]) -> bool:
     return all(low <= at[name] <= high for name, (low, high) in list_limits().items())
 
 
-# The same by all arguments, of the oval wheels with x.
+# Stated places as conditions on all arguments; those of the oval wheels include x.
 PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
     "|A| <= 63/64*R and z*|phi| <= 21": lambda at: (
         64 * abs(at["A"]) <= 63 * at["R"] and at["z"] * abs(at["phi"]) <= 21
@@ -141,7 +141,7 @@ PLACES: Mapping[str, Callable[[Mapping[str, Fraction]], bool]] = {
         at["x"] <= Fraction(22, 7) and abs(Fraction(math.pi) - at["x"]) >= Fraction(1, 2**40)
     ),
 }
-# The same of the size of x and of e, of the largest size of an angle, and of alpha and the tilt.
+# Stated places as conditions on |x| and e, on the largest |angle|, or on alpha and the tilt.
 STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
     HALF: lambda x, e: x <= Fraction(22, 7),
     FAR: lambda x, e: (
@@ -159,7 +159,7 @@ STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
 
 
 def tell_x(at: dict[str, Fraction]) -> None:
-    """Add the size of the angle x where wheels have one."""
+    """Add |x|, the size of the reduced angle, to the arguments of wheels that have one."""
     if "R4" in at:
         at["x"] = abs(2 * at["phi1"] * at["R4"] / at["R5"])
     if "R1" in at and "phi1" in at:
@@ -199,7 +199,7 @@ def draw_small(rng: np.random.Generator, reach: float, decades: float) -> Array:
     ],
 )
 def test_charts_cover_what_they_say(key: tuple[str, str], text: str, lowest: float) -> None:
-    """Every angle that is told and every eccentricity has coordinates in some chart."""
+    """Every stated angle and every eccentricity has coordinates in some chart."""
     subject = next(s for s in subjects().values() if (s.kernel.name, s.form.name) == key)
     charts = [chart for chart in subject.form.charts if chart.text == text]
     rng = np.random.default_rng(11)
@@ -226,7 +226,7 @@ def test_charts_cover_what_they_say(key: tuple[str, str], text: str, lowest: flo
     ],
 )
 def test_charts_cover_all_wheels_and_flanks(name: str) -> None:
-    """All profile angles, sizes of any order and signs have coordinates in some chart."""
+    """All profile angles, and values of any size and sign, have coordinates in some chart."""
     subject = next(s for s in subjects().values() if s.kernel.name == name)
     rng = np.random.default_rng(13)
     given = {
@@ -247,7 +247,7 @@ def test_charts_cover_all_wheels_and_flanks(name: str) -> None:
 
 
 def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, Array]:
-    """Draw lengths of any order, angles, eccentricities next to 0, to 1 and between, and ratios."""
+    """Draw lengths of any order, angles, ratios, and eccentricities near 0, near 1 and between."""
     drawn: dict[str, Array] = {}
     for name in names:
         size = draw_small(rng, 1, 6)
@@ -264,12 +264,12 @@ def draw_arguments(names: Sequence[str], rng: np.random.Generator) -> dict[str, 
         else:
             drawn[name] = rng.choice((-1.0, 1.0), 4000) * size if name.startswith("x") else size
     if "R4" in drawn:
-        # As large as x is told to be, at the speed of its wheels.
+        # As large as x is stated to be, by the ratio of its wheels.
         drawn["phi1"] *= drawn["R5"] / drawn["R4"] / 2
     if "R1" in drawn and "phi1" in drawn:
         drawn["phi1"] *= drawn["R2"] / drawn["R1"]
     if {"x1", *list_limits()} <= drawn.keys():
-        # The whole linkage: of each size one of fifty is beyond its limits.
+        # The whole linkage: one in fifty of each size is beyond its limits.
         drawn["x1"] = rng.uniform(-40, 1, 4000)
         for name, (low, high) in list_limits().items():
             beyond = np.where(rng.random(4000) < 0.02, 1.5, 1.0)
@@ -286,7 +286,7 @@ PLACED = sorted(
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "form"), PLACED)
 def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
-    """Wherever a stage is taken and its text holds some chart has the arguments, and only there."""
+    """Charts contain the arguments where a stage is taken and its text holds, and only there."""
     subject = next(s for s in subjects().values() if (s.kernel.name, s.form.name) == (name, form))
     rng = np.random.default_rng(17)
     points = draw_arguments(subject.exact.inputs, rng)

@@ -1,4 +1,4 @@
-"""Climbing: from point to point along what a product keeps, and in one argument alone."""
+"""Climbing moves from point to point along a constant product, or in one argument alone."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ NARROW = 2.0**-49
 
 
 def on_a_ridge(points: Points) -> Column:
-    """The first factor, where the product of two is nearly 1."""
+    """Return the first factor where the product of both is nearly 1, and -1 elsewhere."""
     one, other = points
     return np.where(np.abs(one * other - 1) <= NARROW, one, -1.0)
 
 
 def on_a_step(points: Points) -> Column:
-    """The first argument, as long as all others are what they were."""
+    """Return the first argument where all others are still 1, and -1 elsewhere."""
     first, *others = points
     is_same = np.logical_and.reduce([other == 1.0 for other in others])
     return np.where(is_same, first, -1.0)
@@ -43,7 +43,7 @@ def test_some_arguments_move_and_leave_what_others_make(
 
 
 def test_vectors_and_matrices_move_by_one_factor() -> None:
-    """Of every point the factor is one, whatever its arguments are."""
+    """All entries of a point's vector or matrix are multiplied by the same factor."""
     start = (np.ones(50), np.ones((50, 3)), np.ones((50, 3, 3)))
     moved = climb._breed(start, np.random.default_rng(1))
     assert [column.shape for column in moved] == [column.shape for column in start]

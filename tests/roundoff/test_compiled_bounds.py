@@ -1,4 +1,4 @@
-"""Bounds of compiled kernels: what runs is what is proved, and what is wrong is refused."""
+"""Bounds of compiled kernels are proved for the code that runs, and wrong ones are refused."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def draw_points(subject: ComputedStage, count: int, seed: int) -> Iterator[dict[
 
 
 def list_arguments(subject: ComputedStage, points: Mapping[str, Any]) -> list[Any]:
-    """Return the arguments of a kernel, components put together."""
+    """Return the kernel's arguments, with the components of vectors stacked."""
     names = input_names(subject.kernel.quantity)
     columns = [
         np.stack([points[names[s]] for s in argument.symbols], axis=-1)
@@ -80,7 +80,7 @@ def list_arguments(subject: ComputedStage, points: Mapping[str, Any]) -> list[An
 def measure_apart(
     subject: ComputedStage, points: Mapping[str, Any], one: np.ndarray, other: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far two results are apart, and the scale of that; the scale is computed, too."""
+    """Return the distance between two results, and its scale as computed in doubles."""
     if subject.scale is None:
         return np.abs(one - other), np.abs(one)
     scale = np.broadcast_to(run(subject.scale.straights[0], points, IN_DOUBLES)[0], len(one))
@@ -96,7 +96,7 @@ def measure_apart(
 @pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(NAMES, 1))
 def test_what_is_proved_is_what_runs(name: str) -> None:
-    """The steps in doubles have the bits of the kernels that numba compiles."""
+    """The steps run in doubles give the bits of the kernels that numba compiles."""
     system, _, quantity = name.partition(".")
     kernel = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
     for subject in compiled_subjects(name):
@@ -117,7 +117,7 @@ def claims(system: str) -> tuple[RoundingClaim, ...]:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(NAMES))
 def test_both_kernels_differ_by_no_more_than_both_bounds(name: str) -> None:
-    """On drawn points, and some ulps around those that are off most in any way."""
+    """On drawn points, and within some ulps of the worst inputs of both kernels."""
     system, _, quantity = name.partition(".")
     plain, fast = (
         getattr(import_module(f"mechproof.kernels{package}.{system}"), quantity)
@@ -178,7 +178,7 @@ def test_a_claim_about_other_steps_or_functions_is_refused(
 
 
 def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With worse functions the bound of a kernel is higher, with exact ones lower."""
+    """With less accurate functions a kernel's bound is higher, with exact ones lower."""
     subject = next(compiled_subjects("elliptic_planetary.position"))
     region = next(list_regions(subject.form.charts[0]))
     boxes = np.array([[(0.3, 0.31) if np.isfinite(side[1]) else side for side in region.box]])
@@ -210,7 +210,7 @@ def test_without_roundings_compiled_steps_have_the_value_of_the_others(name: str
 
 
 def test_a_function_of_another_library_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What NumPy's tangent is off by says nothing of that of a compiled kernel."""
+    """The error of NumPy's tangent says nothing about that of a compiled kernel."""
     paper = paper_of("tooth_thickness")
     (kernel,) = (k for k in list_functions(paper) if k.name == "thickness_change_linear")
     known = {kind: e for kind, e in list_expansions().items() if kind != "tan"}

@@ -1,4 +1,4 @@
-"""Condition numbers: they hold every point of a box, and lose nothing to its width where exact."""
+"""Condition numbers enclose those of all points of a box; exact ones lose nothing to its width."""
 
 from __future__ import annotations
 
@@ -90,13 +90,13 @@ PRODUCTS = StraightLineProgram(
 
 
 def test_of_products_a_wide_box_has_the_bound_of_a_point() -> None:
-    """Three times the first rounding, twice the second, and the others once."""
+    """The first rounding counts three times, the second twice, and each other one once."""
     for sides in ([(1.5, 1.5)] * 3, [(1.0, 100.0)] * 3):
         assert bound(PRODUCTS, sides) <= 3.5 * (1 + 1e-12)
 
 
 def test_inputs_come_near_to_the_bound_of_products() -> None:
-    """What is not counted, a rounding say, is more than what is left there."""
+    """The worst input is so near the bound that it exceeds a bound with one rounding left out."""
     rng = np.random.default_rng(5)
     points = {name: rng.uniform(1.0, 1.1, 20000) for name in PRODUCTS.inputs}
     (found,) = run(PRODUCTS, points, IN_DOUBLES)
@@ -112,7 +112,7 @@ def test_inputs_come_near_to_the_bound_of_products() -> None:
 
 
 def test_a_product_with_a_computed_one_is_exact() -> None:
-    """1 less what is lost beside it is 1; with more to take off it may be another number."""
+    """1 - b is rounded to 1 for b up to 2**-56; for b up to 2**-40 it may be another number."""
     steps = (
         Step("one", "subtract", (1.0, "b"), 0.5),
         Step("p", "square", ("one",), 0.5),
@@ -143,7 +143,7 @@ def test_what_is_in_two_intervals_is_in_their_intersection() -> None:
 
 
 def test_what_stands_for_any_number_is_no_power_of_two() -> None:
-    """A factor that nobody knows is taken for 1, but a quotient by it is rounded."""
+    """An unknown factor is represented by 1, but a quotient by it is still rounded."""
     steps = (Step("q", "divide", ("a", "b"), 0.5),)
     sides = [(1.0, 2.0), (1.0, 1.0)]
     assert bound(StraightLineProgram(("a", "b"), steps, ("q",)), sides) == 0

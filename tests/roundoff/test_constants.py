@@ -1,4 +1,4 @@
-"""Constants that are no doubles: rounded where they are written, and seen by bounds and search."""
+"""Constants that are not doubles are rounded where written, which bounds and search both see."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def test_a_bound_below_an_eps_is_found(expression: sp.Expr, least: float, most: 
 def test_a_search_sees_a_constant_taken_for_exact() -> None:
     def forget(step: Step) -> Step:
         if step.kind == CONSTANT:
-            # Another number, the double itself: what is computed stays as it is.
+            # Replace the constant by its own double: the computed value stays the same.
             (number,) = step.operands
             above, below = float(IN_DOUBLES[CONSTANT](number)).as_integer_ratio()
             return replace(step, operands=(f"{above}/{below}",))

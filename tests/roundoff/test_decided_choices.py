@@ -1,4 +1,4 @@
-"""Choices between what differs: with the error of their side, and the jump where they may turn."""
+"""Choices between unequal values have their side's error, and the jump where the test may turn."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ def test_a_decided_choice_has_the_error_of_its_side(kind: str, side: Side) -> No
 @pytest.mark.parametrize("kind", ["greater", "greater_equal", "less", "less_equal"])
 @pytest.mark.parametrize("side", [(1.5, 2.5), (2.0, 2.0)])
 def test_an_undecided_choice_has_the_jump_as_well(kind: str, side: Side) -> None:
-    """At 2 the square is 4 and x is 2; a test that only rounding could turn is undecided, too."""
+    """At 2 the square is 4 and x is 2; a test that only rounding could turn is also undecided."""
     assert bound(choose(kind, 4), side) >= 2 / EPS * (1 - EPS)
 
 
 def test_a_jump_between_exact_numbers_counts() -> None:
-    """No side has an error of its own: the wrong one of both is all the error there is."""
+    """Neither side has an error of its own: choosing the wrong one is the only error."""
     steps = (
         SQUARE,
         Step("test", "less", ("square", 4), EXACT),
@@ -71,7 +71,7 @@ def test_without_roundings_a_choice_is_what_either_side_is() -> None:
     assert bound(exact, (1.5, 2.5)) == 0
 
 
-# (1 + x)*3 from the rounded sum and its rest, and what a wrong rest makes of it.
+# (1 + x)*3 from the rounded sum and its rest, whether right or wrong.
 SUM = Step("sum", "add", (1.0, "x"), HALF)
 
 
@@ -94,7 +94,7 @@ def test_the_rest_of_a_sum_takes_up_its_rounding() -> None:
 
 
 def test_narrow_sides_are_not_cut_before_others() -> None:
-    """Sizes and their tolerances: two cuts of each of twelve sides would be 4**12 boxes."""
+    """Only the wide side is cut at first: two cuts of each of twelve sides give 4**12 boxes."""
     box = ((-1.0, 1.0), *((n, n * 1.01) for n in range(1, 12)))
     first = divide(as_boxes(box), len(box))
     assert len(first) == 4
@@ -110,7 +110,7 @@ def test_narrow_sides_are_not_cut_before_others() -> None:
 
 
 def test_adding_nothing_keeps_what_vanishes() -> None:
-    """0*y + x is x, and of nothing no pole is left: 0*y/x is 0."""
+    """0*y + x is x, and zero keeps no pole: 0*y/x is 0."""
     sides = [Interval(np.array([0.0]), np.array([1.0]))] * 2
     variables = BoxVariables(sides, [True, True])
     x, y = variables.variable(0), variables.variable(1)

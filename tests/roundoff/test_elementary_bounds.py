@@ -1,4 +1,4 @@
-"""Bounds of elementary functions: they hold, and what is altered is worse or refused."""
+"""Bounds of elementary functions hold; those of altered functions are worse or refused."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_elementary_functions_are_off_by_no_more_than_is_proved(kind: str) -> No
         for value, *given in zip(found, *arguments, strict=True):
             true = TRUTH[kind](*map(arb, map(float, given)))
             errors.append(float(abs(arb(float(value)) / true - 1)) / EPS)
-    # The last quotient of a tangent is not among what is proved of its two parts.
+    # The bounds proved for a tangent's two parts do not include their final quotient.
     last = 0.5 if kind == "tan" else 0.0
     proved = look_up(kind, arguments)
     assert np.all(errors <= proved + last)
@@ -140,7 +140,7 @@ def test_a_point_behind_is_not_taken_for_one_ahead(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.parametrize("place", ["the limit", "what has the sign"])
 def test_no_other_sign_is_decided(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A zero with a sign is not below zero."""
+    """A negative zero is not below zero."""
 
     def move(step: Operation) -> Operation:
         if place == "the limit":
@@ -155,7 +155,7 @@ def test_no_other_sign_is_decided(place: str, monkeypatch: pytest.MonkeyPatch) -
 def test_an_arctangent_of_more_than_a_quotient_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Where the larger size is 1 the smaller one is the quotient."""
+    """Where the larger operand is 1, the smaller one equals the quotient."""
     steps = build("arctan_quotient", DOUBLE).program.operations
     (quotient,) = (step for step in steps if step.kind == "divide")
     last = [step for step in steps if step.kind == "fma"][-1]
@@ -173,7 +173,7 @@ def test_an_arctangent_of_more_than_a_quotient_is_refused(
 def test_what_does_not_vanish_with_a_function_has_no_bound(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Sines for cosines and cosines for sines: one at 0 is off by more than any share of none."""
+    """Sine and cosine are swapped: a value of 1 where 0 is due exceeds every relative bound."""
 
     def swap(step: Operation) -> Operation:
         condition, *both = step.operands

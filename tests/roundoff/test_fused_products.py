@@ -1,4 +1,4 @@
-"""Fused products: rounded once, and bounded so."""
+"""Fused products are rounded once, and bounded accordingly."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ def test_fused_products_are_rounded_once() -> None:
     a, b = rng.normal(size=(2, 4000)) * 2.0 ** rng.integers(-40, 40, (2, 4000))
     near = -a * b * (1 + rng.integers(-2, 3, 4000) * EPS)
     c = np.where(rng.random(4000) < 0.6, near, rng.normal(size=4000) * 2.0 ** rng.integers(-60, 60))
-    # Ties but for the rest of the product.
+    # Ties, except for the rest of the product.
     a[:3], b[:3], c[:3] = 1 + EPS, [1 - EPS, 1 + EPS, 0.5], [2.0**53, -(2.0**54), 2.0**52]
     exact = [Fraction(x) * Fraction(y) + Fraction(z) for x, y, z in zip(a, b, c, strict=True)]
     assert fma(a, b, c).tolist() == [float(value) for value in exact]
 
 
 def test_a_fused_sum_that_cancels_leaves_its_terms_their_roundings() -> None:
-    """The spacing of what is left bounds the rounding of the sum alone."""
+    """The spacing of the small result bounds only the rounding of the sum."""
     steps = (
         Step("p", "multiply", ("a", "b"), 0.5),
         Step("n", "negate", ("p",), 0.0),

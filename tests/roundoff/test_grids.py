@@ -1,4 +1,4 @@
-"""Sums of doubles that are said to be exact are exact, in every interval that says so."""
+"""Sums and products of doubles that an interval claims to be exact are exact."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ OPERATIONS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 @pytest.mark.parametrize("kind", OPERATIONS)
 def test_what_is_said_to_be_exact_is(kind: str) -> None:
-    """Intervals a few octaves wide, doubles of few bits too: what is claimed never fails."""
+    """No claim fails for intervals a few octaves wide, including doubles of few bits."""
     rng = np.random.default_rng(7)
     said = 0
     for _ in range(3000):
@@ -48,7 +48,7 @@ def draw(rng: np.random.Generator) -> float:
 
 
 def around(value: float) -> Interval:
-    """An interval in which the least size has the value's own spacing or less."""
+    """Return an interval around `value` whose least size has the value's spacing or less."""
     low = np.float64(value) * np.float64(0.75)
     return Interval(low, np.float64(2 * value))
 

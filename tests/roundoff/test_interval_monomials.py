@@ -1,4 +1,4 @@
-"""Monomials: intervals with their factors hold every value, at zero and at poles too."""
+"""Monomials, intervals with factors, hold every value, even at zeros and at poles."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def side_between(low: float, high: float) -> Interval:
 
 
 def holds(monomial: IntervalMonomial, value: float, inverse: bool = False) -> bool:
-    """Say whether a monomial has a value, or its reciprocal, to a few of the double's own ulps."""
+    """Return whether a monomial holds a value, or its reciprocal the value's, to a few ulps."""
     one = monomial.variables.constant(ONE)
     span = (one / monomial if inverse else monomial).expanded()
     target = 1 / value if inverse else value
@@ -74,7 +74,7 @@ def test_whole_turns_are_taken_off(kind: str) -> None:
 
 
 def test_half_a_turn_is_taken_off() -> None:
-    """Next to half a turn the tangent of half the angle is a pole of what is left."""
+    """Next to half a turn the tangent of half the angle has a pole in the rest of the angle."""
     rest = side_between(1e-3, 2e-3)
     whole = PI * exactly(2001.0) + rest
     variables = BoxVariables([rest, ONE / whole], [True, True], poles=1)
@@ -96,7 +96,7 @@ def test_a_size_keeps_what_is_never_negative() -> None:
 
 
 def test_a_pole_of_any_sign_keeps_it_in_its_size() -> None:
-    """The size of 1/x is that of x over x**2, on both sides of 0."""
+    """|1/x| is |x|/x**2 on both sides of 0."""
     variables = BoxVariables([side_between(-0.1, 0.2)], [False])
     size = variables.variable(0, -1).size()
     assert size.powers == (-2,)
@@ -117,14 +117,14 @@ def test_the_angle_of_a_point_is_held(y: float, x: float) -> None:
 
 
 def test_an_angle_on_the_ray_of_half_a_turn_is_not_known() -> None:
-    """On one side it is a whole turn from what it is on the other."""
+    """The angle jumps by a whole turn from one side to the other."""
     variables = BoxVariables([side_between(-1e-9, 1e-9), side_between(-2.0, -1.0)], [False, False])
     angle, _ = RULES["arctan2"](None, variables.variable(0), variables.variable(1))
     assert not np.any(angle.expanded().is_finite)
 
 
 def test_extremes_hold_every_value_and_no_end_too_many() -> None:
-    """Of 1/x, which has no finite interval, and of a number the size is told by 1/x."""
+    """The larger of 4/x, which has no finite interval, and a number keeps the factor 1/x."""
     variables = BoxVariables([side_between(0.0, 0.5)], [True])
     pole, three = variables.variable(0, -1).scaled(exactly(4.0)), variables.constant(exactly(3.0))
     larger, _ = RULES["maximum"](None, pole, three)
@@ -138,7 +138,7 @@ def test_extremes_hold_every_value_and_no_end_too_many() -> None:
 
 
 def test_a_value_next_to_zero_is_one_variable_for_equal_arguments() -> None:
-    """Where an argument is known to a box alone, two may differ that have the same box."""
+    """Two arguments that are known only by the same box may differ."""
     variables = BoxVariables([side_between(1.5, 1.6)], [True], zeros=3)
     x = variables.variable(0)
     one, again = (RULES["cos"](None, x)[0] for _ in range(2))
@@ -189,7 +189,7 @@ def test_powers_hold_and_are_narrow(power: int, side: tuple[float, float]) -> No
 
 
 def edge(boxes: Boxes) -> np.ndarray:
-    """Bound x + y at the far corner of boxes; endless for a box that is not small."""
+    """Return x + y at the far corner of each box, or infinity for a box 0.2 or wider in x."""
     small = boxes[:, 0, 1] - boxes[:, 0, 0] < 0.2
     return np.where(small, boxes[:, 0, 1] + boxes[:, 1, 1], math.inf)
 

@@ -1,4 +1,4 @@
-"""Intervals hold every exact result, and would not if they were rounded to nearest."""
+"""Intervals hold every exact result, which they would not if rounded to nearest."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OPERATIONS: dict[str, Callable[[Any, Any], Any]] = {
     "product": operator.mul,
     "quotient": operator.truediv,
 }
-# What rounds doubles as the processor does.
+# Operations on doubles, rounded as the processor rounds them.
 ROUNDED: dict[str, Callable[..., Any]] = {
     "add": operator.add,
     "subtract": operator.sub,
@@ -40,7 +40,7 @@ FUNCTIONS: dict[str, tuple[Callable[[Interval], Interval], Callable[[arb], arb],
 
 
 def draw(seed: int, reach: float = 10.0, *, mixed: bool = True) -> Interval:
-    """Draw intervals: of one sign, or of all signs, some of them zero at an end or one number."""
+    """Draw positive intervals, or mixed ones, some of which end at zero or are single numbers."""
     rng = np.random.default_rng(seed)
     ends = rng.uniform(-reach if mixed else 0.1, reach, (2, COUNT))
     ends *= 2.0 ** -rng.integers(0, 20, COUNT) if mixed else 1.0
@@ -53,7 +53,7 @@ def draw(seed: int, reach: float = 10.0, *, mixed: bool = True) -> Interval:
 
 
 def points_of(span: Interval, seed: int) -> list[np.ndarray]:
-    """Return the ends and numbers between them."""
+    """Return the ends of the intervals and three sets of numbers between them."""
     shares = np.random.default_rng(seed).uniform(0, 1, (3, len(span.low)))
     between = [
         np.clip(span.low + share * (span.high - span.low), span.low, span.high) for share in shares
@@ -62,7 +62,7 @@ def points_of(span: Interval, seed: int) -> list[np.ndarray]:
 
 
 def count_missed(found: Interval, exact: list[Any]) -> int:
-    """Count the exact numbers that are outside; of what is not finite nothing is claimed."""
+    """Count the exact numbers outside their interval; one that is not finite claims nothing."""
     known = np.broadcast_to(found.is_finite, len(exact))
     low, high = (np.broadcast_to(end, len(exact)) for end in (found.low, found.high))
     return sum(

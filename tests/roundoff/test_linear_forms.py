@@ -1,4 +1,4 @@
-"""Linear forms: at every place of a box they hold what a quantity is there, and follow sides."""
+"""Linear forms in a box's sides hold a quantity's value at every place of the box."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def draw_boxes(seed: int, reach: float = 1.5, *, mixed: bool = True) -> Array:
 
 
 def list_places(boxes: Array, seed: int) -> list[Array]:
-    """Return places in boxes: a corner, and some in between."""
+    """Return places in the boxes: a corner of each, and three inside."""
     shares = np.random.default_rng(seed).uniform(0, 1, (4, COUNT, SIDES))
     shares[0] = np.rint(shares[0])
     low, high = boxes[:, :, 0], boxes[:, :, 1]
@@ -56,7 +56,7 @@ def list_places(boxes: Array, seed: int) -> list[Array]:
 
 
 def count_missed(found: Interval, spans: list[Interval], at: Array, values: list[Any]) -> int:
-    """Count the values that are outside of an interval, or farther from the form than its rest."""
+    """Count the values outside their interval, and those farther from the form than its rest."""
     assert found.form is not None
     missed = 0
     parts = np.broadcast_arrays(found.low, found.high, found.form.middle, found.form.rest)
@@ -144,7 +144,7 @@ def test_a_function_that_bends_the_other_way_is_caught(
 
 
 def test_what_cancels_is_of_second_order() -> None:
-    """The interval of its terms is as wide as they are, that of the form by their square."""
+    """The width of the result falls with the square of the box's width only with forms."""
     boxes = np.array([[(1 - h, 1 + h), (2 - h, 2 + h)] for h in (0.1, 0.05, 0.025)])
     widths = []
     for has_forms in (True, False):

@@ -62,7 +62,7 @@ def test_another_scale_is_refused(scale: sp.Expr) -> None:
 
 
 def test_the_scale_is_the_norm_of_the_matrix() -> None:
-    """Of a turn less the identity the spectral norm is the root of 3 less the trace of the turn."""
+    """The spectral norm of a rotation minus the identity is sqrt(3 - trace of the rotation)."""
     squares = 4 * sum(part**2 for part in UNIT_QUATERNION.args[1:]) - (3 - ROTATION.trace())
     halved = sp.expand_trig(squares.subs({angle: 2 * angle for angle in ANGLES}))
     for angle in ANGLES:
@@ -88,7 +88,7 @@ def test_roundings_of_the_entries_and_of_the_sums_count(way: str) -> None:
 
 
 def test_a_lost_operation_is_off_by_more() -> None:
-    """Without the one of w the entries are wrong, and so is what is measured."""
+    """With a wrong operation for w the entries are wrong, and the measured error shows it."""
     subject = displacement()
     steps = tuple(
         replace(s, kind="add") if s.result == "prepared.w" else s for s in subject.straight.steps
@@ -113,7 +113,7 @@ def test_one_angle_alone_is_no_mirror() -> None:
 
 @pytest.mark.parametrize("quantity", ["displacement", "rotation"])
 def test_mirrored_charts_cover_all_signs(quantity: str) -> None:
-    """Every triple of angles is in a chart after a change of signs that is a mirror."""
+    """Every triple of angles lies in a chart after some mirroring change of signs."""
     paper = paper_of("track_wheel")
     kernel = next(k for k in list_functions(paper) if k.name == quantity)
     form = kernel.forms[0]

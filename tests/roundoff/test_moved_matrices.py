@@ -1,4 +1,4 @@
-"""Moved matrices: no roundings stretch a point by more than the bound, which is not far off."""
+"""Moved matrices: no roundings stretch a point by more than the bound, which is nearly reached."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def draw_moved(seed: int, sides: int) -> MovedMatrix:
 
 
 def climb(moves: Array, rest: Array) -> float:
-    """Return the largest sum that is met, going to and fro between both directions."""
+    """Return the largest norm found by optimising signs and both directions in turn."""
     highest = 0.0
     for p, q in zip(draw_directions(1, 20), draw_directions(2, 20), strict=True):
         for _ in range(30):
@@ -97,7 +97,7 @@ def test_what_is_not_known_is_not_bounded() -> None:
 
 
 def test_moves_are_sorted_by_how_many_entries_they_move() -> None:
-    """Those of one entry are in the rest; of others only what the form does not tell."""
+    """Moves of one entry go to the rest; of others only the part that the form does not hold."""
     low, high = np.array([1.0]), np.array([2.0])
     form = LinearForm(np.array([1.5]), {2: np.array([0.25])}, np.array([0.25]))
     shared, alone = Interval(low, high, form=form), Interval(-high, low)

@@ -1,4 +1,4 @@
-"""Powers of two taken last: the same doubles, and rests of what is rounded."""
+"""Powers of two applied last give the same doubles, and rests of the rounded product."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mechproof.roundoff.compensation import find_compensated, take_powers_last
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT, HALF, PRODUCT_REST, Step, StraightLineProgram
 
-# 2*a*b, as it is rounded, and what rounding took from it.
+# 2*a*b as rounded, and its rest, the rounding error.
 DOUBLED = StraightLineProgram(
     ("a", "b"),
     (
@@ -42,14 +42,14 @@ def test_a_rest_of_a_power_times_a_product_is_its_own() -> None:
 
 @pytest.mark.parametrize("factor", [3, 0.75, -2])
 def test_another_factor_is_not_taken_last(factor: float) -> None:
-    """With 3 the rest is none of the rounded product, and is refused."""
+    """The rest is then not that of the rounded product, and is refused."""
     first = replace(DOUBLED.steps[0], operands=(factor, "a"), ulps=HALF)
     with pytest.raises(ValueError, match="depends on the rounding of"):
         find_compensated(replace(DOUBLED, steps=(first, *DOUBLED.steps[1:])))
 
 
 def test_a_rest_with_another_power_is_refused() -> None:
-    """A fourth of 4*a*b would be right; a fourth of 2*a*b is none."""
+    """A quarter would be right for 4*a*b, but not for 2*a*b."""
     steps = list(DOUBLED.steps)
     steps[2] = Step("half", "divide", ("x", 4), EXACT)
     with pytest.raises(ValueError, match="depends on the rounding of"):

@@ -1,4 +1,4 @@
-"""Terms of a scale: errors put to them add up to no less, and what a scale is told to be it is."""
+"""Terms of a scale: errors assigned to them add up to no less, and claims about scales hold."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def add_up(errors: Array, terms: Array) -> float:
 
 
 def test_errors_put_to_terms_add_up_to_no_less() -> None:
-    """Of random terms, however unlike, and errors that are shares of one of them."""
+    """Terms are drawn at random, however unlike, and each error is a share of one of them."""
     rng = np.random.default_rng(1)
     for _ in range(200):
         terms = 10.0 ** rng.uniform(-8, 0, 3)
@@ -42,7 +42,7 @@ def test_errors_put_to_terms_add_up_to_no_less() -> None:
 
 
 def test_terms_that_vanish_together_need_no_quotient() -> None:
-    """Of two errors, each half of its own term, the bound is one half; one on both is less."""
+    """Two errors, each half of its own term, give one half; one error on both terms gives less."""
     unknown, half = np.array([np.inf]), np.array([0.5])
     assert spread([[half, unknown], [unknown, half]], 2)[0] == pytest.approx(0.5)
     assert spread([[half, half]], 2)[0] == pytest.approx(0.25)
@@ -51,7 +51,7 @@ def test_terms_that_vanish_together_need_no_quotient() -> None:
 
 
 def test_one_term_too_many_is_seen() -> None:
-    """Put to a term that the scale does not have, errors are beyond the bound."""
+    """Errors assigned to a term that the scale does not have exceed the bound."""
     terms = np.array([1.0, 1e-9])
     errors = np.array([0.5, 0.5]) * terms[0]
     honest = [[np.array([0.5]), np.array([0.5 / terms[1]])]] * 2
@@ -90,13 +90,13 @@ def write_squares(scale: sp.Expr) -> list[ComputedStage]:
 
 
 def test_a_corner_where_all_terms_vanish_is_bounded() -> None:
-    """Neither a nor b is a share of the other there: the boxes at 0 never tell their quotient."""
+    """There neither a nor b is a share of the other: boxes at 0 never bound their quotient."""
     for subject in write_squares(SIZES):
         assert is_shown(subject, 0.6)
 
 
 def test_a_kernel_with_a_rounding_more_is_above_the_bound() -> None:
-    """A square that is rounded ten times more is off by more than is shown of it once."""
+    """A square with ten times the rounding error exceeds the bound shown for one rounding."""
     for subject in write_squares(SIZES):
         steps = tuple(
             replace(s, ulps=10 * HALF) if s.kind == "square" else s for s in subject.straight.steps
@@ -107,7 +107,7 @@ def test_a_kernel_with_a_rounding_more_is_above_the_bound() -> None:
 
 @pytest.mark.slow
 def test_a_scale_without_a_term_has_no_bound() -> None:
-    """Where a**2 is left out, an error of it is compared with nothing at b = 0 and a = b."""
+    """Without a**2 in the scale, its error is compared with nothing at b = 0 and a = b."""
     for subject in write_squares(2 * b**2 + sp.Abs(a**2 - b**2) + b**3):
         assert subject.scale is not None
         assert subject.scale.terms
@@ -115,7 +115,7 @@ def test_a_scale_without_a_term_has_no_bound() -> None:
 
 
 def test_a_function_that_vanishes_cancels_beside_itself() -> None:
-    """A cosine vanishes at a quarter of a turn, and its error with it, but not as its square."""
+    """At a quarter turn the error of a cosine vanishes like the cosine, but not like its square."""
     chart = Chart("", {a: a, angle: angle}, {a: sp.Interval(0, 1), angle: sp.Interval(1, 2)})
     value = sp.cos(angle) - a
     for scale, bounded in (
@@ -136,7 +136,7 @@ def test_what_a_maximum_is_at_least_bounds_a_difference() -> None:
         assert not is_shown(subject, 4.0)
 
 
-# In a product with a sum that is no less than 1 or with a maximum, and as a term.
+# The value times a sum that is no less than 1, times a maximum, and as a term.
 VALUE = angle * a**2 * b / (1 + b) ** 3
 AT_LEAST = [
     VALUE * (1 + sp.Abs(angle)),
@@ -144,7 +144,7 @@ AT_LEAST = [
     a**2 / (1 + b) * (2 * sp.Max(sp.Abs(angle * b), a) + sp.Abs(angle)) / (2 * (b + 1) ** 2),
     3 * (sp.Abs(-a * b * angle) * sp.Abs(a) / (1 + b) ** 3 + 1),
 ]
-# Half of it, a sum with what may be negative, a maximum of such, and of another size.
+# Half of the value, a sum and a maximum that may be negative, and another quantity's size.
 NOT_AT_LEAST = [
     VALUE * (1 + sp.Abs(angle)) / 2,
     VALUE * (1 + angle),
@@ -167,11 +167,11 @@ def bound_whole(subject: ComputedStage) -> float:
 
 
 def test_beside_a_scale_that_is_no_less_boxes_may_be_wide() -> None:
-    """Whatever quotients over a box say: a rounding is half an eps of the value, met once."""
+    """Whatever quotients over a box say, each rounding counts once as half an eps of the value."""
     chart = Chart("", {s: 1 + s for s in (a, b, angle)}, dict.fromkeys((a, b, angle), UNIT))
     for subject in write_subjects(VALUE, AT_LEAST[0], chart, (a, b, angle)):
         assert subject.scale is not None
-        # Three roundings of 1 + b, as its cube has them, and one each of six products.
+        # The rounding of 1 + b three times, for its cube, and one each of six products.
         assert 4.5 <= bound_whole(subject) <= 4.51
         unseen = replace(subject.scale, is_at_least=False)
         assert bound_whole(replace(subject, scale=unseen)) > 20

@@ -1,4 +1,4 @@
-"""Steps in one row: what is scaled, negated, limited or held counts as it should."""
+"""Straight-line steps: scaled, negated, limited and held results count as they should."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_a_scale_that_stays_is_refused() -> None:
 
 
 def test_of_what_is_scaled_no_difference_is_exact() -> None:
-    """Doubles so near to one another have an exact difference, but nobody knows these doubles."""
+    """Doubles this close have an exact difference, but scaled ones are not known to be close."""
     steps = (
         Step("one", "multiply", ("y", 1.0), 0.0, scaled="y"),
         Step("other", "multiply", ("y", 1.0), 0.0, scaled="y"),
@@ -52,7 +52,7 @@ def test_of_what_is_scaled_no_difference_is_exact() -> None:
 
 
 def test_an_argument_that_is_limited_may_be_off_by_nothing_held() -> None:
-    """The exact argument is legal, the computed one may not be: all its roundings count."""
+    """The exact argument is legal, but the computed one might not be: all its roundings count."""
     steps = (Step("w", "square", ("y",), 0.5), Step("q", "arctan", ("w",), 1.0, "small_arctan"))
     side = Interval(np.array([0.75]), np.array([0.76]))
     variables = BoxVariables([side], [True])

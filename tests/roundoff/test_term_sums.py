@@ -1,4 +1,4 @@
-"""Bounds of sums over sets: they hold for any size and order, and what has none is refused."""
+"""Bounds of sums over sets hold for any size and order; sums without a bound are refused."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from mechproof.roundoff.worst import draw, measure
 pytestmark = pytest.mark.xdist_group(GROUP)
 SUMS = {"error_sum": "sum of squares", "error_sum_thermal": "solved for the total"}
 WAYS = {NUMPY: track_wheel, WAY: compiled_kernels}
-# After a term of 1, that of this is less than half of an ulp, and rounded away.
+# After a term of 1, the square of this number is less than half an ulp and is rounded away.
 TINY = 0.999999 * 2.0**-26.5
 SIZES = (1, 2, 3, 7, 8, 9, 64, 129, 1000)
 
@@ -110,7 +110,7 @@ def weigh(
 
 
 def list_sets(size: int) -> list[dict[str, np.ndarray]]:
-    """List sets of tiny and vast elements, alike and apart, of zeros and of both signs."""
+    """List sets of tiny and huge elements, equal and spread, with zeros and with both signs."""
     rng = np.random.default_rng(size)
     sets = []
     for spread in (0.0, 1.0, 30.0, 160.0):
@@ -139,7 +139,7 @@ def test_sets_of_any_size_are_off_by_no_more(subject: ComputedStage, size: int) 
 
 
 def test_in_another_order_what_each_term_adds_is_reached(plain: ComputedStage) -> None:
-    """So any less for each would be wrong: terms that one after the other are rounded away."""
+    """Terms are rounded away one after another, so a smaller error for each would be wrong."""
     assert plain.total is not None
     size = 4000
     ones = np.ones(size)

@@ -1,4 +1,4 @@
-"""Turns taken off: what is left of an angle is bounded, or refused."""
+"""Reduction by whole turns: the error of the reduced angle is bounded, or refused."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_angles_that_are_not_reduced_have_no_bound() -> None:
 
 
 def test_no_double_is_nearer_to_a_quarter_turn() -> None:
-    """Doubles next to multiples of pi/2, the nearest of the whole range among them."""
+    """No double next to the first or the largest multiples of pi/2 is nearer than the least."""
     least = find_nearest(DOUBLE.largest)
     with working_precision(200):
         near = [arb(n) * arb.pi() / 2 for n in (*range(1, 2000), *range(2**25, 2**25 + 2000))]
@@ -49,7 +49,7 @@ def test_a_decision_without_a_rule_is_refused(monkeypatch: pytest.MonkeyPatch) -
     def swap(step: Operation) -> Operation:
         return replace(step, kind="rint") if step.kind == "floor" else step
 
-    # Halves of odd numbers rounded to even ones: the sign is another.
+    # Halves of odd numbers are rounded to even ones, which gives another sign.
     with pytest.raises(ValueError, match="decides what rounding does"):
         prove_changed("cos", change("cos", swap), monkeypatch)
 
@@ -58,7 +58,7 @@ def test_a_decision_without_a_rule_is_refused(monkeypatch: pytest.MonkeyPatch) -
 def test_numbers_of_quarter_turns_that_are_rounded_are_refused(
     added: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Without a rounding 2 - eps has the signs of 1, but no large number is off by it."""
+    """Unrounded, adding 2 - eps would give the signs of adding 1; large numbers round it away."""
 
     def add(step: Operation) -> Operation:
         wrong = step.kind == "add" and step.operands[1:] == (1.0,)

@@ -1,4 +1,4 @@
-"""The search for the worst input: long doubles lead it, balls judge, and no chart is left."""
+"""The search for the worst input is led by long doubles, judged by balls, and leaves no chart."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_long_doubles_tell_what_balls_tell(claim: RoundingClaim) -> None:
     points = draw_all(subject, 12, 3)
     roughly, exactly = estimate(subject, points), judge(subject, points)
     assert np.array_equal(roughly < 0, exactly < 0)
-    # Results that are exact are off by nothing; of two charts one may lie outside the domain.
+    # Exact results have no error, and one of two charts may lie outside the domain.
     assert np.mean(exactly >= 0) >= 0.5
     np.testing.assert_allclose(roughly, exactly, rtol=0, atol=0.01)
 
@@ -80,7 +80,7 @@ def test_a_search_climbs_and_leaves_no_chart(
 
 @needs_long_doubles
 def test_a_search_finds_a_planted_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of the largest eccentricities alone: a term that is nothing elsewhere."""
+    """The fault affects only the largest eccentricities."""
     subject = find_subject("position", "half-angle atan")
     compute = ComputedStage.compute
 
@@ -105,7 +105,7 @@ def test_without_long_doubles_balls_are_all_there_is(monkeypatch: pytest.MonkeyP
     assert 0.5 < find_worst(subject, list(list_boxes(subject)), 5).eps < 3
 
 
-# Radii that make an angle twice as large, and one that makes it many turns.
+# Radii that double an angle, and an angle of many turns.
 TWICE, AT_PEAK = (2.0, 1.0), 16 * np.pi + 0.001
 
 
@@ -124,7 +124,7 @@ TWICE, AT_PEAK = (2.0, 1.0), 16 * np.pi + 0.001
 def test_what_no_chart_has_does_not_count(
     quantity: str, form: str, inside: tuple[float, ...], outside: tuple[float, ...]
 ) -> None:
-    """Nor with signs that are mirrored."""
+    """Mirrored signs make no difference."""
     subject = find_subject(quantity, form)
     for sign in (1, -1):
         first, *others = zip(inside, outside, strict=True)
