@@ -89,7 +89,7 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
 @pytest.mark.slow
 @pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
-    """Both compute the same operations, each rounded once: no bit must differ."""
+    """Both compute the same operations, each rounded once, so all bits agree."""
     system, _, quantity = name.partition(".")
     call = point_function(libraries(system, False), system, find_kernel(name), False)
     compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)

@@ -1,4 +1,4 @@
-"""What is written for other programs is the same program: they bound it as it is bounded here."""
+"""Scripts for other tools state the same program, for which they prove the same bounds."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_scripts_have_each_step_with_its_rounding() -> None:
     assert "v2 = 3602879701896397b-55;" in script
     assert "Mv2 = 1/10;" in script
     assert "v3 = rnd(v0 * v1 + v2);" in script
-    # A power of two rounds nothing, nor does a sign.
+    # Neither a power of two nor a sign causes rounding.
     assert "v5 = 1b-1 * v4;" in script
     assert script[-2].endswith("|v7 - Mv7| in ? }")
     assert script[-1] == "$ v0 in 2, v1 in 2;"
@@ -100,14 +100,14 @@ def test_pages_have_what_coq_proves(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:
-    """Of each program the table has a row; some are bounded anew."""
+    """The table has a row for each program; the bounds of some are computed again."""
     page = (DOCS / "bounds.md").read_text("utf-8")
     tables = page.split("## ")[1:3]
     names = [core.name for core in read_cores(FILE.read_text("utf-8"))]
     for table, rounded in zip(tables, (False, True), strict=True):
         rows = dict(re.findall(r"^\| (\w+) \| ([\d.e-]+) \|", table, re.M))
         assert list(rows) == names
-        # Of no program Coq proves less than what was found, or more than twice what is proved.
+        # Coq's bound is never below the bound proved here, nor more than twice as large.
         for numbers in re.findall(
             r"^\| \w+ \| ([\d.e-]+) \| ([\d.e-]+) \| ([\d.e-]+|-) ", table, re.M
         ):
@@ -116,5 +116,5 @@ def test_the_page_of_the_benchmarks_is_what_is_proved() -> None:
         for name in ("verhulst", "carbonGas", "rigidBody1"):
             program = program_of(name, rounded=rounded)
             found = bound_largest(program.bound, program.box, 0.002, 20_000).bound
-            # Rounded up: four digits are known to a thousandth.
+            # Rounded up to four digits, that is to a thousandth.
             assert found <= float(rows[name]) <= 1.001 * found

@@ -1,4 +1,4 @@
-"""Laws and windows of many scales, and the four shares as a list."""
+"""Laws and windows on many scales, and the four shares as a list."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from mechproof.conformity import Normal, Shares, shares
 
 INF = np.inf
-# Of the tests that need compiled shares: one worker compiles them once.
+# For tests that need compiled shares: one worker compiles them once.
 GROUP = "compiled shares"
 BAR = 1e-12
 Find = Callable[..., Shares]
@@ -62,7 +62,7 @@ HARD = {
 
 
 def random_case(rng: np.random.Generator) -> Case:
-    """Scales over ten decades, windows related by guard bands or not at all."""
+    """Draw a case: scales over ten decades, windows related by guard bands or not at all."""
     s, width = 10 ** rng.uniform(-6, 4), 10 ** rng.uniform(-6, 1.2)
     middle = rng.choice([0, rng.normal(0, 3), rng.normal(0, 8)])
     bias = rng.choice([0, rng.normal(0, s), rng.normal(0, 5)])
@@ -74,7 +74,7 @@ def random_case(rng: np.random.Generator) -> Case:
 
 
 def random_sets(seed: int, count: int) -> tuple[Normal, Normal, Any, Any]:
-    """Means, widths, windows and guard bands of many scales; limits below 8 sigma."""
+    """Draw laws and windows with guard bands on many scales; limits below 8 sigma."""
     rng = np.random.default_rng(seed)
     true = Normal(rng.normal(0, 0.5, count), np.ones(count))
     s = 10 ** rng.uniform(-2, 1.5, count)

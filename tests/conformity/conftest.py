@@ -1,4 +1,4 @@
-"""The ways to find exact shares, which have the same tests."""
+"""The two ways to find exact shares, which run through the same tests."""
 
 from __future__ import annotations
 
@@ -23,5 +23,5 @@ def find_compiled(*arguments: Any) -> conformity.Shares:
     ]
 )
 def find(request: pytest.FixtureRequest) -> Any:
-    """A function that finds shares."""
+    """Return a function that finds shares, in NumPy or compiled."""
     return request.param

@@ -1,4 +1,4 @@
-"""Enclosures of shares by rigorous integrals, and errors beside them."""
+"""Enclosures of shares by rigorous integrals, and errors relative to them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from flint import acb, arb, ctx
 
 
 def enclose(case: Case, precision: int, sizes: list[Any]) -> list[arb]:
-    """Balls around the four shares: rigorous integrals over the true deviation.
+    """Return balls around the four shares, from rigorous integrals over the true deviation.
 
-    `sizes` (guesses of the shares) only say how small a radius is aimed at.
+    `sizes`, estimates of the shares, only determine how small the radii should be.
     """
     with_precision, ctx.prec = ctx.prec, precision
     try:
@@ -72,7 +72,7 @@ def _enclose(case: Case, radii: list[arb]) -> list[arb]:
 
 
 def relative_errors(got: list[Any], case: Case) -> list[float]:
-    """Errors beside balls whose relative radius is below a thousandth of the bound."""
+    """Return errors relative to balls whose relative radius is below a thousandth of the bound."""
     for precision in (160, 480, 1500):
         balls = enclose(case, precision, four(case.shares()))
         if all(float(abs(b.mid())) * BAR / 1000 >= float(b.rad()) for b in balls):

@@ -1,4 +1,4 @@
-"""The arc integral on one Gauss panel against the same integral over many."""
+"""The arc integral on one Gauss panel agrees with the same integral over many panels."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Array = np.ndarray
 
 
 def integrate_finely(p: Array, q: Array, one: Array, square: Array) -> Array:
-    """The integral over log(1/u) on 60 equal parts, of 0.75 at most, with 32 nodes each."""
+    """Return the integral over log(1/u) on 60 equal parts, at most 0.75 long, of 32 nodes each."""
     ahead = q - p + CUT
     length = np.minimum(
         0.5 * np.log1p((ahead + np.hypot(ahead, 2 * np.sqrt(CUT * p))) / (2 * p)), CUT
@@ -30,7 +30,7 @@ def integrate_finely(p: Array, q: Array, one: Array, square: Array) -> Array:
 
 
 def draw_arcs(count: int) -> tuple[Array, ...]:
-    """Both ends of the arc: I(0, beta) falls for q <= p + 1/2, I(beta, pi) for 2 (p - q) > cos."""
+    """Draw arcs at both ends: I(0, beta) falls if q <= p + 1/2, I(beta, pi) if 2 (p - q) > cos."""
     rng = np.random.default_rng(1)
     p = 10 ** rng.uniform(-29, np.log10(700), count)
     ahead = np.where(
@@ -48,14 +48,14 @@ def draw_arcs(count: int) -> tuple[Array, ...]:
 def test_one_panel_is_as_good_as_sixty() -> None:
     arcs = draw_arcs(4000)
     error = np.abs(integrate_arc(*arcs) / integrate_finely(*arcs) - 1)
-    # What is cut off, 1.3e-14, and what the nodes leave.
+    # The part cut off, 1.3e-14, plus the error of the nodes.
     assert np.max(error) < 1e-13
     assert np.ptp(choose_size(*arcs[:2])) > 0.9 * len(LENGTHS)
 
 
 @pytest.mark.parametrize("length", LENGTHS[:45:4])
 def test_every_decay_that_fills_a_panel(length: float) -> None:
-    """From p = q, a bell, to q = 0; the drop over the panel or over the one before it."""
+    """From p = q, a bell, to q = 0; the drop fills the panel, or just exceeds the previous one."""
     reach = np.repeat([length * 0.999, max(length / 1.25, length - 0.2) * 1.001], 9)
     share = np.tile(np.linspace(0, 1, 9), 2)
     drop = conformity_arc.DROP

@@ -80,8 +80,8 @@ def test_the_shares_add_up_to_one(whole: float, part: float, find: Any) -> None:
 
 
 def test_scalars_have_narrow_windows() -> None:
-    """Each once ended in an assignment to a scalar."""
-    # erf(0.1/sqrt(2)) and the same of 1e-9 by its derivative.
+    """Each of these calls once failed in an assignment to a scalar."""
+    # erf(0.1/sqrt(2)), and for 1e-9 the density times the width.
     assert ONE.probability(-0.1, 0.1) == pytest.approx(0.07965567455405798, rel=1e-15)
     assert ONE.probability(0, 1e-9) == pytest.approx(1e-9 / np.sqrt(2 * np.pi), rel=1e-15)
     assert type(ONE.probability(-0.1, 0.1)) is np.float64

@@ -1,4 +1,4 @@
-"""What is said of compiled shares alone: threads, imports, what numba keeps."""
+"""Compiled shares only: threads, imports, and the code that numba caches."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.xdist_group(GROUP)
 
 
 def draw_sets(count: int) -> tuple[Any, ...]:
-    """Errors from a hundredth to ten times the spread, limits of 1 to 7 of both, guard bands."""
+    """Draw errors of 0.01 to 10 times the spread, limits at 1 to 7 times both, guard bands."""
     rng = np.random.default_rng(5)
     s = 10 ** rng.uniform(-2, 1, count)
     reach = rng.uniform(1, 7, (2, count)) * np.hypot(1, s)
@@ -41,7 +41,7 @@ def test_both_ways_agree_wherever_shares_do_not_underflow() -> None:
 
 
 def test_sets_do_not_depend_on_those_beside_them() -> None:
-    """As many as threads share, as few as end within a block, and one."""
+    """Enough sets for threads to share, few enough to end within a block, and a single one."""
     true, error, tolerance, acceptance = draw_sets(2 * compiled.THREADED + 37)
     whole = compiled.shares(true, error, tolerance, acceptance)
     for part in (slice(0, 1), slice(63, 66), slice(compiled.PART - 1, compiled.PART + 200)):
@@ -79,7 +79,7 @@ def test_without_numba_the_error_names_the_extra() -> None:
 
 
 def test_numba_keeps_the_loop_until_a_formula_changes() -> None:
-    """The key of numba's cache has what the loop encloses: the hash of the formulas' files."""
+    """Numba's cache key includes the loop's closure, which holds the hash of the formula files."""
     (enclosed,) = compiled._fill.py_func.__closure__
     assert enclosed.cell_contents == compiled._hash_sources(*compiled.SOURCES)
     assert compiled._hash_sources(*compiled.SOURCES[1:]) != enclosed.cell_contents

@@ -46,7 +46,7 @@ def test_laws_match_scipy_and_their_samples(name: str) -> None:
 @pytest.mark.parametrize("width", [1e-4, 1e-6, 1e-9, 1e-12])
 @pytest.mark.parametrize("start", [-3.0, -1e-13, 0.0, 0.5, 5.0])
 def test_a_narrow_window_is_sampled_all_over(start: float, width: float) -> None:
-    """Where masses of tails hardly differ; the density changes by less than 6e-4 across it."""
+    """The tails' masses hardly differ there; the density varies by less than 6e-4 across it."""
     law = TruncatedNormal(0, 1, start, start + width)
     values = law.sample(np.random.default_rng(6), 20000)
     assert (law.lower <= values).all()

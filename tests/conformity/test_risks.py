@@ -19,7 +19,7 @@ from mechproof.laws.kinds import list_parameters
 def test_shares_add_up_and_mirror(find: Find) -> None:
     true, error, tolerance, acceptance = random_sets(2, 5000)
     got = four(find(true, error, tolerance, acceptance))
-    # Four roundings of numbers below 1 and their own errors, each below some ulp.
+    # Four roundings of numbers below 1, and the shares' own errors of a few ulp each.
     np.testing.assert_allclose(np.sum(got, axis=0), 1, rtol=0, atol=2e-14)
     mirrored = find(
         Normal(-true.mean, true.std),
@@ -138,7 +138,7 @@ def test_many_sets_are_far_cheaper_than_scalar_quadratures() -> None:
     count = 20_000
     many = Normal(np.linspace(-0.1, 0.1, count), 1)
     ours = best(lambda: shares(many, Normal(0, 0.3), (-3, 3))) / count
-    # One scalar share of four against all four: some 150 times; a busy machine may take a third.
+    # One scalar share against all four takes some 150 times as long; a busy machine may show 50.
     assert best(one) > 50 * ours
 
 

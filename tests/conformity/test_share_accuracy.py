@@ -82,23 +82,23 @@ def test_uniform_part_with_a_normal_error(s: float, limit: float) -> None:
 def test_endless_windows_among_the_smallest_numbers(
     find: Find, mean: float, scatter: float, tolerance: Any, acceptance: Any, sure: str
 ) -> None:
-    """Tails that have lost their digits cancel; no window without an end is integrated."""
+    """Tails that have lost their digits cancel; windows without an end are not integrated."""
     found = find(Normal(mean, 1.0), Normal(0.0, scatter), tolerance, acceptance)
     assert getattr(found, sure) == 1.0
     assert all(0 <= getattr(found, name) < 1e-100 for name in NAMES if name != sure)
 
 
-# Multiples of it stay exact beside 1e8.
+# Multiples of this stay exact when added to 1e8.
 GRID = 2.0**-26
 
 
 def on_grid(rng: np.random.Generator, low: float, high: float) -> float:
-    """Return an even multiple, of which a half is one, too."""
+    """Return an even multiple of `GRID`, so that half of it is also a multiple."""
     return float(np.round(1e-3 * rng.uniform(low, high) / GRID / 2) * GRID * 2)
 
 
 def random_law(rng: np.random.Generator, kind: type, at: float) -> Any:
-    """Widths of a micrometre or so."""
+    """Draw a law of this kind near `at`, about 1e-3 wide."""
     mean, half = at + on_grid(rng, -1, 1), on_grid(rng, 0.2, 1)
     places = {Normal: (mean, half), Uniform: (mean - half, mean + half)}
     return kind(*places.get(kind, (mean, half, mean - half, mean + half / 2)))
@@ -124,14 +124,14 @@ def test_a_common_offset_costs_no_digits(
 
 
 def area(low: Fraction, high: Fraction, window: Any, inside: Any) -> Fraction:
-    """Integrate over y from low to high the part of inside - y that lies in the window."""
+    """Integrate, over y from low to high, the length of `inside` - y within `window`."""
 
     def part(y: Fraction) -> Fraction:
         start, end = max(window[0], inside[0] - y), min(window[1], inside[1] - y)
         return max(end - start, Fraction(0))
 
     cuts = sorted({low, high, *(c for i in inside for w in window if low < (c := i - w) < high)})
-    # Between the cuts it is straight.
+    # Between the cuts the length is linear in y.
     return sum(((part(a) + part(b)) * (b - a) / 2 for a, b in pairwise(cuts)), Fraction(0))
 
 

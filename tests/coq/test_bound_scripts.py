@@ -1,4 +1,4 @@
-"""Bounds of programs in Coq: scripts that say what they should, and what Coq refuses."""
+"""Bounds of programs in Coq: scripts state what they should, and Coq refuses wrong ones."""
 
 from __future__ import annotations
 
@@ -158,8 +158,8 @@ def test_another_enclosure_is_caught(old: str, new: str) -> None:
 
 
 def write_bounds(folder: Path) -> dict[str, str]:
-    """Write scripts of bounds that hold, and of what does not."""
-    # FPTaylor proves 1.06e-13 of the first. Of each the next bound is below the worst error found.
+    """Return scripts by name: of bounds that hold, and of bounds and programs that fail."""
+    # FPTaylor proves 1.06e-13 for the first. For each, a bound below the worst error found fails.
     bounds = {
         "first": (0, Fraction(985, 10**16)),
         "second": (1, Fraction(13, 10**16)),
@@ -173,7 +173,7 @@ def write_bounds(folder: Path) -> dict[str, str]:
         program = put_in_box(theorem.straight, theorem.ranges, convention)
         worst = find_worst_input(program, (program.box,))
         assert worst is not None
-        # What NumPy has of functions may be off by more than half an ulp.
+        # NumPy's functions may be off by more than half an ulp.
         found = Fraction(worst.error) * (Fraction(1, 2) if number == WAVES else Fraction(99, 100))
         for kind, at_most in (("holds", bound), ("fails", found)):
             texts[f"{name}_{kind}"] = write_bound_script(name, replace(theorem, bound=at_most))
@@ -198,7 +198,7 @@ def write_bounds(folder: Path) -> dict[str, str]:
 
 
 def write_enclosures(name: str) -> dict[str, str]:
-    """Write scripts of how near a program is to its function: what holds, and what does not."""
+    """Return scripts on a program's distance from its function: one that holds, two that fail."""
     case = find_case(name)
     assert case.enclosure is not None
     near = replace(case.enclosure, off=Fraction(1, 2**70))
@@ -210,7 +210,7 @@ def write_enclosures(name: str) -> dict[str, str]:
 
 
 def judge(texts: Mapping[str, str], folder: Path) -> None:
-    """Have Coq accept what holds, and refuse the others."""
+    """Assert that Coq accepts the scripts that hold and refuses those named to fail."""
     for name, text in {ROUNDINGS: read_library(ROUNDINGS), **texts}.items():
         (folder / f"{name}.v").write_text(text, encoding="utf-8")
     for file, fault in check_files(folder, [f"{name}.v" for name in texts]).items():
@@ -220,7 +220,7 @@ def judge(texts: Mapping[str, str], folder: Path) -> None:
 @pytest.mark.slow
 @needs_coq
 def test_coq_accepts_what_holds_and_nothing_else(tmp_path: Path) -> None:
-    # What all of them assume takes Coq as long to find as what one of them does.
+    # Coq lists the assumptions of all scripts in the time that it takes for one.
     judge(write_bounds(tmp_path) | write_enclosures("sin_0"), tmp_path)
 
 

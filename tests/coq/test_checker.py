@@ -1,4 +1,4 @@
-"""Coq itself: accepts what is proved, and refuses one wrong row of each kind of proof."""
+"""Coq itself accepts what is proved, and refuses one wrong row for each kind of proof."""
 
 from __future__ import annotations
 
@@ -51,11 +51,11 @@ LENGTHS = (
     Ge(1 - x**2 / y**2, 0, evaluate=False),
     Lt(0, y, evaluate=False),
 )
-# The same integral by half the angle.
+# The same integral over half the angle.
 DOUBLED = Integral(2 / (1 - e * cos(2 * v)), (v, 0, x / 2))
 TURNED = atan2(e * sin(x), 1 - e * cos(x))
 HALF_TURN = (Gt(x, -pi, evaluate=False), Lt(x, pi, evaluate=False), Ne(cos(x / 2), 0))
-# It is written once.
+# Written once, as a shared part.
 ROOTS = sqrt(sqrt(2) + sqrt(3) + atan2(1, -2, evaluate=False))
 FROM_ZERO = (Ge(x, 0, evaluate=False), Le(x, 1, evaluate=False))
 VECTOR = (Ne(x**2 + y**2, 0),)
@@ -86,7 +86,7 @@ def equal(left: object, right: object) -> object:
     return Eq(left, right, evaluate=False)
 
 
-# A true statement for each kind of proof, and a wrong one beside it.
+# A true statement and a wrong one for each kind of proof.
 PAIRS = {
     "rational": (
         state(equal((1 - e**2) / (1 - e), 1 + e), *SHARE),
@@ -270,7 +270,7 @@ AXIOM = "axiom.v"
 
 @pytest.fixture(scope="module")
 def planted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, str]]:
-    """A folder with compiled libraries, and what the checker says of a script with an axiom."""
+    """Return a folder with compiled libraries, and the faults found in a script with an axiom."""
     folder = tmp_path_factory.mktemp("coq")
     for name in LIBRARIES:
         (folder / f"{name}.v").write_text(read_library(name), encoding="utf-8")
@@ -284,7 +284,7 @@ def planted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, s
 
 @pytest.fixture(scope="module")
 def proved(planted: tuple[Path, dict[str, str]]) -> set[str]:
-    """Those scripts of which Coq has all theorems, each a module, in one run that goes on."""
+    """Return the modules whose theorems Coq all accepts, in one run that goes on after errors."""
     folder, _ = planted
     texts = [f"Require Import {LIBRARIES[-1]}."]
     for name, pair in PAIRS.items():

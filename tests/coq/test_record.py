@@ -1,4 +1,4 @@
-"""The record of what Coq accepts: of the ledger as it is, of the libraries as they are."""
+"""The record of what Coq accepts matches the current ledger and the current libraries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scripts of rows, one for each that is proved or refuted, and the command that writes them."""
+"""Coq scripts, one for each proved or refuted row, and the command that writes them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scripts of Coq: what they state, that they are read back, and that changed ones are refused."""
+"""Coq scripts: their statements are right and are read back, and changed scripts are refused."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def test_a_slope_is_stated_where_both_sides_are_one(
 
 
 def test_letters_with_one_published_value_are_told_apart() -> None:
-    """At all round angles of these sizes both letters are the same number."""
+    """At the published sizes both letters have the same value."""
     a, b = symbols("a b", positive=True)
     row = Equation("(1)", "1", Equality((a + b) * sin(x) ** 2, (a + b) * (1 - cos(x) ** 2)))
     lengths = (Variable(s, "a length", within=Interval.open(0, S.Infinity)) for s in (a, b))

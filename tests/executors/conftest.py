@@ -1,4 +1,4 @@
-"""No times are taken here: what is measured is the same in each run."""
+"""No times are taken in these tests, so that measurements are the same in each run."""
 
 from __future__ import annotations
 

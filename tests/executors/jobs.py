@@ -1,4 +1,4 @@
-"""What is computed by executors, and executors of each kind."""
+"""Jobs for executors, and executors of each kind."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What goes wrong with executors, and what it is called."""
+"""Errors with executors, and the messages that name them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The order of tasks: how many are under way, what is reported, when times are taken."""
+"""The order of tasks: how many run at once, what is reported, and when times are taken."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from mechproof.tolerance import certified_range
 
 
 class Held(Executor):
-    """Does a task when its result is asked for, and counts those under way."""
+    """Run a task only when its result is requested, and count the tasks under way."""
 
     def __init__(self) -> None:
         self.under_way = self.most = 0

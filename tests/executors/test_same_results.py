@@ -1,4 +1,4 @@
-"""The same results to the last bit from threads, processes and a cluster."""
+"""Threads, processes and a cluster give the same results to the last bit."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from weights import make_thorough
 
 from mechproof.tolerance import Size, corner_range
 
-# One worker of pytest: it has the one cluster.
+# For one pytest worker, which holds the only cluster.
 pytestmark = pytest.mark.xdist_group("cluster")
 KINDS = ("threads", "one process", "processes", "cluster")
-# Every job in processes, the first in executors of every kind; the others with the thorough tests.
+# Every job in processes, the first in every kind of executor; all others are thorough tests.
 CASES = [
     case if kind == "processes" or job is JOBS[0] else make_thorough(case)
     for kind in KINDS

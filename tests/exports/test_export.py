@@ -1,4 +1,4 @@
-"""Files for other programs, opened again by them and measured."""
+"""Files for other programs are reopened with those programs' libraries and measured."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ANGLE = 30.0
 
 
 def open_drawing(mechanism: Any, a: float | None, folder: Path) -> Any:
-    """Write a drawing, and open it again."""
+    """Write a drawing, and return it as read back without faults."""
     path = export(mechanism, folder / "pair.dxf", phi1=ANGLE, degrees=True, a=a)
     drawing = ezdxf.readfile(path)
     assert drawing.audit().errors == []
@@ -40,7 +40,7 @@ def open_drawing(mechanism: Any, a: float | None, folder: Path) -> Any:
 
 
 def distance_to(wheel: Any, points: Any) -> Any:
-    """Return how far points are from a pitch curve along its rays (mm)."""
+    """Return the distances of points from a pitch curve along its rays (mm)."""
     away = np.asarray(points) - wheel.axis
     angles = np.arctan2(away[:, 1], away[:, 0])
     return np.abs(np.hypot(*away.T) - wheel.radius(angles))
@@ -64,7 +64,7 @@ def test_a_drawing_opened_again_has_the_curves(
             points = np.array(curve.get_points("xy"))
             assert not np.array_equal(points[0], points[-1])
             middles = (points + np.roll(points, -1, axis=0)) / 2
-            # A vertex lies on the curve, and no chord is farther off than was asked for.
+            # Vertices lie on the curve, and no chord is farther off than the tolerance.
             assert distance_to(wheel, points).max() <= 1e-13 * wheel.a
             assert distance_to(wheel, middles).max() <= TOLERANCE
         else:
@@ -74,7 +74,7 @@ def test_a_drawing_opened_again_has_the_curves(
                 if curve.dxftype() == "ELLIPSE"
                 else [[*v][:2] for v in curve.vertices(np.degrees(steps))]
             )
-            # Of some 50 roundings of a radius.
+            # Some 50 roundings of a radius.
             assert distance_to(wheel, points).max() <= 1e-13 * wheel.a
             if curve.dxftype() == "ELLIPSE":
                 assert (curve.dxf.start_param, curve.dxf.end_param) == (0, 2 * math.pi)
@@ -95,7 +95,7 @@ def test_the_measure_sees_a_wheel_that_is_turned(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("mechanism", "a", "distance"), DRIVES, ids=lambda v: str(v))
 def test_wheels_in_mesh_touch_and_roll(mechanism: Any, a: float | None, distance: float) -> None:
-    """The curves of 6 and 3 touch on the line of centres, and have one length."""
+    """The curves of 6 and 3 touch on the line of centres, and are equally long."""
     *_, driver, output = place_in_mm(mechanism, np.radians(ANGLE), a)
     towards = np.radians(ANGLE)
     both = float(driver.radius(towards + np.pi) + output.radius(towards))
@@ -153,7 +153,7 @@ def test_wheels_move(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
 
 @pytest.mark.slow
 def test_teeth_are_cut_for_our_law(tmp_path: Path) -> None:
-    """The centre distance that ncgears finds of the law alone is that of the mechanism."""
+    """The centre distance that ncgears finds from the law alone is the mechanism's."""
     pair = cut_teeth(ELLIPTIC, 16, tmp_path, samples=1024)
     assert pair.center_distance == pytest.approx(ELLIPTIC.R1 - ELLIPTIC.R2, rel=1e-9)
     assert (pair.drive_teeth, pair.driven_teeth) == (16, 16)

@@ -1,4 +1,4 @@
-"""FPCore is read as it stands; what is not straight-line in doubles is refused with its line."""
+"""FPCore is read as written; what is not straight-line code in doubles is refused by line."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_cores_compute_what_they_say() -> None:
     assert second.box == {"a": (Fraction(-1, 100), Fraction(3))}
     given = {"x": arb(0.7), "y*": arb(-2.3)}
     (found,) = run(first.straight, given, IN_BALLS)
-    # The names of a let are bound all at once: its x is y*.
+    # The names of a let are bound simultaneously: its x is y*.
     exact = (arb(0.7) + arb(1) / 10) * arb(2.3).sqrt() + (-arb.pi()).exp()
     assert found.overlaps(exact)
     (double,) = run(second.straight, {"a": np.float64(0.3)}, IN_DOUBLES)

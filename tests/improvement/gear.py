@@ -1,4 +1,4 @@
-"""What strangers type first: formulas as textbooks print them, whose digits cancel."""
+"""Formulas as textbooks print them and new users first type them, whose digits cancel."""
 
 from sympy import Expr, Interval, Symbol, atan, cos, exp, log, oo, pi, sin, sqrt, tan
 
@@ -15,7 +15,7 @@ EQUATION = (
 
 
 def ship(name: str, arguments: tuple[Argument, ...], value: Expr) -> Quantity:
-    """Make a quantity that is computed as it is defined."""
+    """Return a quantity whose only form is its definition."""
     form = Form("as defined", value)
     return Quantity(name, f"Compute the {name}.", arguments, value, (form,), "a textbook")
 

@@ -1,4 +1,4 @@
-"""Formulas as they are typed first get their digits back: offered, kept, emitted and proved."""
+"""Naive formulas get their digits back by forms that are offered, stored, emitted and proved."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from mechproof.programs import rewrites
 from mechproof.programs.evaluation import Evaluation
 
 GEAR = Path(__file__).parent / "gear.py"
-# What the form as typed loses, in whole digits, and with which rewrite it loses none.
+# The whole digits that the typed form loses, and the rewrite with which it loses none.
 FIRST_TRIES = {
     "involute": (16, "taylor"),
     "segment": (16, "taylor"),
@@ -41,13 +41,13 @@ FIRST_TRIES = {
 }
 
 
-# What the commands search; the offers for all are found without them.
+# The quantities that the commands search; offers for all are found without commands.
 WRITTEN = ("involute", "step", "tangent")
 
 
 @pytest.fixture(scope="module")
 def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a derivation of few quantities alone."""
+    """Return a folder with a derivation of only the quantities in `WRITTEN`."""
     folder = tmp_path_factory.mktemp("gears")
     (folder / "derivations").mkdir()
     lines = GEAR.read_text(encoding="utf-8").splitlines(keepends=True)
@@ -89,7 +89,7 @@ def test_what_is_typed_first_gets_its_digits_back(name: str, subjects: dict[str,
 
 
 def wrong_cosine(evaluation: Evaluation) -> Evaluation:
-    """Rewrite cos x -> 1 - x**2/2 + x**4/24: near 0 nobody sees that it is wrong."""
+    """Replace cosines by a Taylor polynomial, which near 0 does not show to be wrong."""
     return evaluation.transform(
         lambda e: e.replace(sp.cos, lambda x: 1 - x**2 / 2 + x**4 / 24 - x**6 / 720)
     )
@@ -139,12 +139,12 @@ def test_what_is_found_is_kept_and_shipped(workshop: Path) -> None:
     assert "with taylor, proved equal" in told
     kept = json.loads(find_file(derivation).read_text())
     assert kept == {"involute": ["taylor"]}
-    # A ledger that was kept before knows nothing of the new form.
+    # The cached ledger does not contain the new form yet.
     run_in(workshop, "verify", "--json", "rows.json")
     rows = {r["number"]: r for r in json.loads((workshop / "rows.json").read_text())["rows"]}
     assert rows["kernel involute, near 0"]["verdict"] == "PROVED"
     assert rows["kernel involute_as_stated"]["verdict"] == "PROVED"
-    # In a process of its own, for one that has loaded the derivation goes on with it.
+    # In a new process, since one that has loaded the derivation keeps using it.
     command = [sys.executable, "-m", "mechproof", "regenerate", "--improve"]
     done = subprocess.run(command, cwd=workshop, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

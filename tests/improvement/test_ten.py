@@ -1,8 +1,8 @@
-"""Forms that people picked for the five papers are found again from their naive forms.
+"""The search finds the forms that people picked for the five papers from the naive forms.
 
-The ten quantities, two of each paper, were named before the search was written. The digits that
-their definition loses as it is printed are those on the points of the search, all 16 where a value
-is lost; for three of them they are fewer than on the points on which they were first measured.
+The ten quantities, two per paper, were chosen before the search was written. The digits lost by
+the definition as printed are those on the search's points, all 16 where a value is lost; for three
+quantities they are fewer than on the points on which they were first measured.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ TEN = {
     "track_wheel.displacement": 6,
     "track_wheel.radius": 8,
 }
-# Its form puts the tangents of half angles into a difference of two angles: no rewrite does that.
+# Its form inserts tangents of half angles into a difference of two angles, which no rewrite does.
 NOT_FOUND = {"wedge_linkage.roller_lever_angle"}
 SHORT = {"tooth_thickness.height_change", "wedge_linkage.rod_displacement"}
 
@@ -43,7 +43,7 @@ def test_the_form_is_found_again(name: str) -> None:
     assert max(loss.digits for loss in losses) >= TEN[name] - 1
     _, best = search(subject, tuning)[0]
     found = measure_loss(best.compute, report)
-    # Where it is found it keeps the bound of the form that a person picked.
+    # A form that is found keeps the bound of the form that a person picked.
     assert (found.worst <= subject.quantity.accuracy.ulp) is (name not in NOT_FOUND)
     assert name in NOT_FOUND or prove(best)
 

@@ -1,4 +1,4 @@
-"""Calls of kernels with one point and of many."""
+"""Calls of kernels with one point and with many."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ SHARED_SHIFT = np.array([0.01, 0.02, 0.03])
 
 
 def spread(*shape: int) -> np.ndarray:
-    """Numbers between -3 and 3, no two equal."""
+    """Return numbers from -3 to 3, no two equal, in an array of this shape."""
     return np.linspace(-3, 3, int(np.prod(shape))).reshape(shape)
 
 
-# Calls of one point and of many: scalars and arrays, one pose and many, parameters of every size.
+# Calls with one point and with many: scalars and arrays, one pose and many, parameters of any size.
 CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
     "position": (elliptic_planetary.position, (spread(7), *RADII, 0.475)),
     "position with low word": (elliptic_planetary.position, (spread(7), *RADII, 0.9)),

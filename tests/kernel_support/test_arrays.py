@@ -64,7 +64,7 @@ SHAPES: tuple[tuple[int, ...], ...] = ((), (1,), (1, 1), (2,), (2, 1))
 def test_outside_a_domain_all_is_nan(
     edge: float, shape: tuple[int, ...], other: tuple[int, ...]
 ) -> None:
-    """Numbers are asked, arrays of one as numbers, or longer ones: the answers are the same."""
+    """Numbers, arrays of one element and longer arrays all get the same answers."""
     a = np.full(shape, 1.0) if shape else 1.0
     b = np.full(other, 0.5) if other else edge
     if other:
@@ -124,14 +124,14 @@ def test_quadratic_forms_are_sums_of_pairs(
     size = (abs(x)[..., :, np.newaxis] * abs(x)[..., np.newaxis, :] * abs(m)).sum(axis=(-2, -1))
     wanted = (x[..., :, np.newaxis] * x[..., np.newaxis, :] * m.astype(float)).sum(axis=(-2, -1))
     assert (np.shape(found), found.dtype) == (wanted.shape, dtype)
-    # Two products, and in each of two sums of five four roundings.
+    # Two products, and four roundings in each of two sums of five.
     assert np.all(abs(found - wanted) <= 5 * np.finfo(dtype).eps * size)
 
 
 @pytest.mark.parametrize("count", [3, 40, 300])
 def test_a_form_that_makes_none_negative_gives_none(count: int) -> None:
     rng = np.random.default_rng(count)
-    # Whole numbers, so that nothing of the matrix is rounded; beyond its rows it has nothing.
+    # Whole numbers, so that the matrix is not rounded; its rank is a third of its size.
     part = rng.integers(-9, 9, (count, count // 3)).astype(float)
     matrix = part @ part.T
     beyond = np.linalg.svd(matrix)[2][-1]
@@ -154,7 +154,7 @@ def test_a_form_keeps_its_type_beside_nan_and_negative_ones(dtype: Any) -> None:
 
 
 def test_squares_of_numbers_round_as_those_of_arrays() -> None:
-    """Python's x**2 is pow(x, 2), which rounds one of 1200 another way."""
+    """Python's x**2 is pow(x, 2), which rounds one in 1200 numbers differently."""
     values = np.random.default_rng(3).uniform(1, 2, 20_000)
     assert [functions.square(x) for x in values.tolist()] == functions.square(values).tolist()
 

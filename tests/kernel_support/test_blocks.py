@@ -1,4 +1,4 @@
-"""Blocks and `out=`: what is computed at once changes no digit, and where results go."""
+"""Blocks and `out=`: the size of a block changes no digit, and results go where they should."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> N
     whole = function(*arguments)
     monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 6)
     in_blocks = function(*arguments)
-    # A matrix product may sum in another order: an ulp of the largest of four terms, below 20.
+    # A matrix product may sum in another order: an ulp of each of four terms below 20.
     tolerance = 4 * np.finfo(float).eps * 20 if name == "one pose" else 0
     np.testing.assert_allclose(in_blocks, whole, rtol=0, atol=tolerance)
     assert in_blocks.dtype == np.float64
@@ -163,7 +163,7 @@ def test_single_precision_is_not_widened_or_narrowed_by_numbers() -> None:
 def test_outer_products_keep_what_depends_on_few_arguments_short(
     shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Arrays along axes of their own, in slices: the same as all of them written out."""
+    """Arrays along separate axes, taken in slices, give the same as when fully broadcast."""
     monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 256)
     x1 = np.linspace(-40, 0, shape[-1])
     l_de = np.linspace(82, 84, shape[0]).reshape(-1, *[1] * (len(shape) - 1))

@@ -1,4 +1,4 @@
-"""Error-free arithmetic: what operations round off, and what kernels do with it."""
+"""Error-free arithmetic: the rounding errors of operations, and how kernels use them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_the_rest_of_a_sum_is_exact() -> None:
         total = large + small
         exact = Fraction(float(large)) + Fraction(float(small)) - Fraction(float(total))
         assert Fraction(float(error_free.sum_rest(large, small, total))) == exact
-    # The order counts: here the larger comes second.
+    # The order matters: here the larger comes second.
     assert error_free.sum_rest(1e-20, 1.0, 1.0) != 1e-20
 
 
@@ -84,7 +84,7 @@ def test_the_whole_range_of_doubles(name: str, e: float) -> None:
         for phi in (5e-324, 1e-310, 1e-300, 1e166, 1e200, 1e300, 3e307):
             assert np.isfinite(kernel(phi, *RADII, e))
     if name == "position":
-        # The arctangent is at most pi: nothing beside an angle of 1e300.
+        # The arctangent is at most pi: nothing compared with an angle of 1e300.
         assert abs(kernel(1e300, *RADII, e) / (1e300 * (1 + 4.125)) - 1) <= np.finfo(float).eps
 
 

@@ -1,4 +1,4 @@
-"""Arguments that bring arithmetic of their own: indices, masks, and arrays that wait; units."""
+"""Arguments with arithmetic of their own: indices, masks, lazy arrays; units."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_a_foreign_scalar_without_numbers_is_refused() -> None:
 
 @pytest.mark.parametrize("value", list_with_units([1.0, 2.0]), ids=repr)
 def test_units_are_refused(value: Any) -> None:
-    """By kernels, all of them; mechanisms take those of pint."""
+    """Kernels refuse all units; mechanisms accept pint's."""
     for kernels in (elliptic_planetary, compiled_kernels):
         with pytest.raises(TypeError, match=r"^phi1 = .*carries a unit"):
             kernels.position(value, *RADII, 0.4)
@@ -50,7 +50,7 @@ def test_a_column_without_a_unit_is_an_array() -> None:
 
 
 class Column(np.lib.mixins.NDArrayOperatorsMixin):
-    """One axis of values by keys, as a series of pandas: it knows no further axes."""
+    """One axis of values, like a pandas series: no axes can be added."""
 
     def __init__(self, values: Any) -> None:
         self.values = np.asarray(values, float)

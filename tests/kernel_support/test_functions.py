@@ -1,4 +1,4 @@
-"""Functions in formulas: what they are off by."""
+"""The errors of functions in formulas."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(a: float, b: floa
         for y, value in zip(Y, found, strict=True):
             t = mp.tan(mp.mpf(float(y)))
             true = t / (mp.mpf(a) + mp.mpf(b) * t**2)
-            # Near the zero at 0 of itself; elsewhere of the largest value, 1/(2*sqrt(a*b)).
+            # Relative to itself near its zero at 0, elsewhere to the largest value 1/(2*sqrt(a*b)).
             scale = abs(true) if abs(y) < 0.1 else 1 / (2 * mp.sqrt(mp.mpf(a) * mp.mpf(b)))
             steep = 1 + mp.sqrt(max(a, b) / mp.mpf(min(a, b)))
             assert abs(float(value) - true) <= 4 * EPS * scale * steep

@@ -124,7 +124,7 @@ def test_heights_are_digits_lost_and_lanes() -> None:
 
 
 def test_a_turn_of_a_few_eps_is_no_wrong_turn(record: Record) -> None:
-    """At angles so large that a turn is an eps, accurate ways, too, have wrong branches."""
+    """At angles so large that a turn is an eps, accurate ways have as many wrong branches."""
     kernel = record.ways[0].name
     workload = list_workloads(record)[0]
     for wrong, is_wrong in ((0, True), (10_000, False)):

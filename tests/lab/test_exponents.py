@@ -41,7 +41,7 @@ def draw_sizes(rng: np.random.Generator) -> Array:
 
 
 def draw_turned(rng: np.random.Generator) -> tuple[Array, Array, Array]:
-    """Draw an angle and two radii such that angle times ratio is near a multiple of pi/2."""
+    """Draw an angle and two radii: first the multiplied angle, near or far from a quarter turn."""
     beside = 10.0 ** rng.uniform(-18, 6, DRAWN) * rng.choice([-1, 1], DRAWN)
     angles = rng.integers(-4, 5, DRAWN) * np.pi / 2 + beside
     driven = 10.0 ** rng.uniform(-150, 150, DRAWN)

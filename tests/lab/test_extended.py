@@ -41,7 +41,7 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
 
 @pytest.mark.parametrize("name", first_of(sorted({*KERNELS} - HARDLY_TURNED)))
 def test_long_doubles_tell_what_balls_tell(name: str) -> None:
-    """64 bits leave 11 for the error of 53, fewer where a scale cancels."""
+    """64 bits give the error of 53 to 11 bits, or fewer where a scale cancels."""
     subject, compared = find_subject(name), 0
     for points in draw(subject):
         _, roughly = estimate(subject, points)

@@ -1,4 +1,4 @@
-"""Fits to readings that are made, with known parameters and scatter."""
+"""Fits to simulated readings with known parameters and scatter."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SCATTER = 2e-3
 
 
 def read(ratio: float, e: float, zeros: tuple[float, float], turns: float, count: int) -> Any:
-    """Readings of an elliptical mechanism, of the output on one turn."""
+    """Simulate readings of an elliptical mechanism, with the output reduced to one turn."""
     rng = np.random.default_rng(round(1000 * ratio))
     phi1 = np.sort(rng.uniform(0, 2 * math.pi * turns, count))
     phi3 = elliptic.position(phi1 - zeros[0], ratio, 1.0, e) + zeros[1]
@@ -36,7 +36,7 @@ def test_parameters_are_found_from_no_start(
 ) -> None:
     found = fit(elliptic.position, *read(ratio, e, zeros, turns, count), ratio=(1.0, 6.0))
     for estimate, true in zip(found.estimates.values(), (ratio, e, *zeros), strict=True):
-        # Beyond 6 standard uncertainties of a Student's t of 56: 2e-7 each.
+        # Student's t of 56 degrees of freedom is beyond 6 with probability 2e-7.
         assert abs(estimate.value - true) < 6 * estimate.uncertainty
         assert estimate.uncertainty < 0.01
     assert found.standard_deviation == pytest.approx(SCATTER, rel=0.5)
@@ -59,7 +59,7 @@ def test_the_covariance_is_that_of_repeated_readings() -> None:
     ]
     spread = np.std([one.values for one in fits], axis=0, ddof=1)
     stated = fit(elliptic.position, phi1, exact, ratio=(2.5, 3.5), zeros=False, uncertainty=SCATTER)
-    # The deviation of 60 scatters by 1/sqrt(118) = 9 %: 5 of them.
+    # The deviation of 60 fits scatters by 1/sqrt(118) = 9 %: allow 5 of these.
     np.testing.assert_allclose(spread, np.sqrt(np.diag(stated.covariance)), rtol=0.46)
     assert stated.estimates["e"].degrees_of_freedom == math.inf
 
@@ -87,7 +87,7 @@ def test_of_ovals_one_joint_eccentricity_is_found() -> None:
 
 
 def test_readings_that_fit_two_ratios_are_refused() -> None:
-    """Evenly spaced by h, the output on any turn: ratios 2*pi/h apart give the same readings."""
+    """With spacing h and the output on any turn, ratios 2*pi/h apart give the same readings."""
     phi1 = 0.9 * np.arange(60)
     phi3 = elliptic.position(phi1, 3.0, 1.0, 0.3)
     with pytest.raises(ValueError, match="do not tell apart R1/R2 = "):

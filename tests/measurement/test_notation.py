@@ -63,9 +63,9 @@ def test_shorthand_reads_back_within_the_rounding() -> None:
         last = Fraction(10) ** -len(mantissa.partition(".")[2])
         read_value = Fraction(mantissa) * scale
         read_uncertainty = int(digits) * last * scale
-        # Two digits: 0.5 in 10.5. The rule of the next decade: 5 in 95.
+        # With two digits, 0.5 in 10.5; when rounded to the next decade, 5 in 95.
         assert abs(read_uncertainty / Fraction(uncertainty) - 1) <= Fraction(5, 95)
-        # A half unit of the last place, which is a tenth of an uncertainty of two digits.
+        # Half a unit in the last place, which is at most a tenth of a two-digit uncertainty.
         assert abs(read_value - Fraction(value)) <= read_uncertainty / 20
 
 

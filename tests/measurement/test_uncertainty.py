@@ -30,7 +30,7 @@ def test_published_intervals_of_the_elliptic_planetary() -> None:
     for value, (uncertainty, half) in published.items():
         interval = Estimate(value, uncertainty).expand(2)
         assert interval.expanded_uncertainty == half
-    # Variant 3 is printed ± 0.28, which is k = 1.
+    # Variant 3 is printed with ± 0.28, which is k = 1.
     assert Estimate(0.68, 0.28).expand(2).expanded_uncertainty == 0.56
 
 
@@ -56,7 +56,7 @@ def test_large_common_offset_costs_no_digits(offset: float, count: int) -> None:
     mean, variance = exact_type_a(readings)
     result = evaluate_type_a(readings)
     if offset:
-        # Half an ulp of the last addition; the correction's own error lies far below.
+        # Half an ulp of the last addition; the correction's own error is far smaller.
         assert abs(Fraction(result.mean) - mean) <= Fraction(float(np.spacing(abs(result.mean))))
     # The sum of squares meets at most 16 + 3 + log2(n/128) < 30 roundings (NumPy adds pairwise
     # in blocks of 128 by eight), every square three more, all halved by the root: below 16 eps.
@@ -74,7 +74,7 @@ def test_textbook_variance_fails_the_same_check() -> None:
 @pytest.mark.parametrize("count", [3, 10, 1000, 9999])
 @pytest.mark.parametrize("reading", [0.1, -5.3, 1e9 + 0.1])
 def test_identical_readings_have_no_scatter(reading: float, count: int) -> None:
-    # NumPy's own mean of these is off by up to 2 ulp.
+    # NumPy's mean of these readings is off by up to 2 ulp.
     result = evaluate_type_a(np.full(count, reading))
     assert (result.mean, result.standard_deviation) == (reading, 0)
 
@@ -165,7 +165,7 @@ def test_interval_ends() -> None:
 
 
 class Geared:
-    """Turns at a constant ratio."""
+    """A mechanism that turns its output at a constant ratio."""
 
     def __init__(self, ratio: float) -> None:
         self.ratio = ratio
@@ -176,7 +176,7 @@ class Geared:
 
 def wrapping_error(angle: float, wrapped: float) -> float:
     turns = round(angle / (2 * math.pi))
-    # The nearest turn in doubles may be one off at a half turn, where both signs are right.
+    # At half turns the nearest turn in doubles may be off by one; both signs are right there.
     exact = [arb(angle) - 2 * n * arb.pi() for n in (turns - 1, turns, turns + 1)]
     return min(float(abs(arb(wrapped) / x - 1).upper()) for x in exact)
 

@@ -1,4 +1,4 @@
-"""The figures of the papers, each drawn once, and what was written in them."""
+"""The figures of the papers, each drawn once, and the texts in them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from matplotlib.text import Text
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import Figure, draw
 
-# Pixels: boxes of texts may share an edge, and above and below letters a box has room.
+# In pixels: boxes of texts may share an edge, and a box has room above and below its letters.
 EDGE, ROOM = 0.5, 2.0
-# Which figures there are; loading what states them takes seconds.
+# The figures of each system, listed here because loading the modules that state them takes seconds.
 NAMES = {
     "elliptic_planetary": ("fig-3", "fig-3-rates", "table-3"),
     "oval_planetary": ("fig-2",),
@@ -35,7 +35,7 @@ def pictures(system: str) -> Any:
 
 
 def load_wedge() -> Any:
-    """Return paper 4, of which ranges are certified."""
+    """Return paper 4, whose ranges are certified."""
     return import_module("mechproof.derivations.wedge_linkage").PAPER
 
 
@@ -52,18 +52,18 @@ def drawn(system: str, name: str) -> Any:
 
 
 def lines(panel: Any, label: str) -> Any:
-    """Return the data of the lines of an axes whose label begins so, in their order."""
+    """Return, in order, the data of the lines of an axes whose labels begin with `label`."""
     return [line.get_xydata() for line in panel.lines if line.get_label().startswith(label)]
 
 
 def span_of(patch: Any) -> tuple[float, float]:
-    """Return from where to where a shaded band reaches, in the data."""
+    """Return the ends of a shaded band in data coordinates."""
     across = patch.get_patch_transform().transform(patch.get_path().vertices)[:, 0]
     return float(across.min()), float(across.max())
 
 
 def write_texts(canvas: Any) -> dict[Text, Any]:
-    """Draw a canvas and return what text was drawn, and its box in pixels."""
+    """Draw a canvas and return the texts drawn, with their boxes in pixels."""
     boxes: dict[Text, Any] = {}
     kept = Text.draw
 
@@ -119,13 +119,13 @@ def struck(panel: Any, boxes: dict[Text, Any]) -> list[str]:
 
 @cache
 def boxes(system: str, name: str) -> dict[Text, Any]:
-    """Return what is written in a figure, and where."""
+    """Return the texts of a figure, with their boxes in pixels."""
     return write_texts(drawn(system, name))
 
 
 @cache
 def words(system: str, name: str) -> str:
-    """Return all that is written in a figure, with the minus of a keyboard."""
+    """Return all text of a figure, with ASCII hyphens for minus signs."""
     return "\n".join(text.get_text() for text in boxes(system, name)).replace("\N{MINUS SIGN}", "-")
 
 

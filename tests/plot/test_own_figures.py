@@ -1,4 +1,4 @@
-"""Figures of a folder of the user's own: found, drawn by the command, and refused where wrong."""
+"""Figures in a user's own folder: found, drawn by the command, and refused where wrong."""
 
 from __future__ import annotations
 

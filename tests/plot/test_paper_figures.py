@@ -1,4 +1,4 @@
-"""Every figure of the papers: its text can be read, its claims are the ledger's, its file is sound.
+"""Every figure of the papers has legible text, claims that match the ledger, and a sound file.
 
 The curves are compared with the kernels in `test_plotted_data.py`.
 """
@@ -98,7 +98,7 @@ def test_svg_is_one_element_the_same_each_time_and_shares_no_id() -> None:
 
 
 def read_words(svg: str) -> str:
-    """Return the text of a drawing, its lines joined."""
+    """Return the text of a drawing, with its lines joined."""
     return " ".join("".join(ET.fromstring(svg).itertext()).split())
 
 
@@ -142,7 +142,7 @@ def test_drawing_leaves_settings_and_files_alone(tmp_path: Path) -> None:
     assert dict(mpl.rcParams) == before
 
 
-# What the figures mark, by the rows of the ledger that print the numbers.
+# Numbers that figures mark, with the rows of the ledger that contain them.
 MARKED = (
     ("elliptic_planetary", "fig-3", "(12), size of its error", ("45.0", "72.6")),
     ("elliptic_planetary", "fig-3", "(12), size of its error", ("43.6", "67.5")),
@@ -172,7 +172,7 @@ def test_the_corrected_interval_is_drawn() -> None:
     assert "0.68 ± 0.56° by u" in words("elliptic_planetary", "table-3")
 
 
-# Numbers that the notes and findings of the ledger say, and where they are marked.
+# Numbers from the ledger's notes and findings, and the figures that mark them.
 SAID = (
     ("elliptic_planetary", "fig-3-rates", ("12.59", "2.468")),
     ("oval_planetary", "fig-2", ("± 22.6°", "± 11.5°", "-180° a turn", "-280° a turn", "10.2°")),

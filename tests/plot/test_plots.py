@@ -1,4 +1,4 @@
-"""The drawings of the user's own mechanism: what they draw, what they refuse, what they leave."""
+"""Drawings of a user's own mechanism: what they draw, refuse, and leave unchanged."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_marked_extremes_are_the_largest_and_smallest_drawn(mechanism: Any) -> N
     panel = plot.motion(mechanism)[1]
     curve = max((line.get_ydata() for line in panel.lines), key=len)
     marks = [float(line.get_ydata()[0]) for line in panel.lines if len(line.get_xdata()) == 1]
-    # The nearest of the samples misses an extreme by the square of half a step.
+    # The nearest sample misses an extreme by the square of half a step.
     assert marks == pytest.approx([curve.max(), curve.min()], abs=1e-3)
     assert marks[0] >= curve.max() - 1e-12
     assert marks[1] <= curve.min() + 1e-12
@@ -124,7 +124,7 @@ def test_wheels_in_mesh_do_not_run_into_each_other(mechanism: Any) -> None:
             reach = one.radius(np.arctan2(points[:, 1], points[:, 0]))
             apart = np.linalg.norm(points, axis=1) - reach
             internal = one is fixed and isinstance(mechanism, EllipticPlanetary)
-            # Outside everywhere, or inside the ring; touching to a rounding.
+            # Outside everywhere, or inside the ring; touching up to a rounding.
             assert np.all((-apart if internal else apart) > -1e-9)
 
 

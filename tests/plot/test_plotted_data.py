@@ -1,4 +1,4 @@
-"""The curves of the papers' figures against the kernels, and each claim against its curve."""
+"""The curves of the papers' figures agree with the kernels, and each claim with its curve."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mechproof.kernels import elliptic_planetary, track_wheel, wedge_linkage
 from mechproof.kernels.forms.elliptic_planetary import position_printed
 from mechproof.tolerance import certified_range, corner_range
 
-# Degrees and per cent come from one multiplication: a few units in the last place.
+# Degrees and per cent are one multiplication away: a few units in the last place.
 CLOSE = {"rtol": 1e-14, "atol": 1e-12}
 
 
@@ -69,7 +69,7 @@ def test_rates_of_paper_1(row: int, pair: tuple[int, int]) -> None:
             np.testing.assert_allclose(shown, rule(np.radians(degrees)), rtol=1e-12, atol=1e-12)
         curve, marks = (ratio.lines[place + first].get_ydata() for first in (0, len(pair)))
         assert len(marks) == 2
-        # The nearest of the samples misses an extreme by the square of half a step.
+        # The nearest sample misses an extreme by the square of half a step.
         np.testing.assert_allclose(marks, [curve.min(), curve.max()], rtol=1e-3)
         assert marks[0] <= curve.min() * (1 + 1e-15)
         assert marks[1] >= curve.max() * (1 - 1e-15)
@@ -84,7 +84,7 @@ def test_positions_and_rests_of_paper_2() -> None:
             np.testing.assert_array_equal(shown, mechanism.position(angle))
             motion = mechanism.classify()
             without_drift = shown - motion.drift * angle / (2 * np.pi)
-            # Between two of the 1440 steps the swing changes by less than 1e-5 of itself.
+            # Within one of the 1440 steps the swing changes by less than 1e-5 of itself.
             assert np.abs(without_drift).max() == pytest.approx(motion.amplitude, rel=1e-4)
     angle, shown = max((line.get_data() for line in rest.lines), key=lambda data: len(data[0]))
     ratio = OvalPlanetary.published(3).ratio(np.radians(angle))
@@ -131,7 +131,7 @@ def test_simulated_points_of_paper_3_are_within_their_errors() -> None:
         exact = module.inspect(points.get_xdata(), grade, as_printed).shares().wrongly_rejected
         segments = np.array(bars.get_segments())
         errors = (segments[:, 1, 1] - segments[:, 0, 1]) / 2
-        # The seed is fixed; sixteen points of a normal law beyond 4 are one in a thousand.
+        # The seed is fixed; one of sixteen normal deviates is beyond 4 once in a thousand runs.
         assert np.all(np.abs(points.get_ydata() - 100 * exact) < 4 * errors)
         binomial = 100 * np.sqrt(exact * (1 - exact) / module.TEETH)
         np.testing.assert_allclose(errors, binomial, rtol=0.35)

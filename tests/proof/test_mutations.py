@@ -21,7 +21,7 @@ from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
 from mechproof.statement_domains.domain import Domain
 
-# The first batches run each time, the others only with the thorough tests.
+# The first batch runs each time, the others only with the thorough tests.
 BATCHES = 24
 ENTRIES, PER_SIDE = 2, 3
 LEAST, LEAST_ROWS = 600, 120

@@ -1,4 +1,4 @@
-"""Requests for tailored kernels: what comes again is proved, and a domain need not be said."""
+"""Requests for tailored kernels: periodicity is proved, and a domain need not be stated."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from mechproof.tailoring.request import prove_periodicity, read_request
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}
 MOTION = ("ratio", "position", "acceleration", "jerk")
-# By their names: each worker collects every test, and loads a paper where it is needed.
+# Listed by name, since every worker collects all tests but loads a paper only where needed.
 PERIODIC = [
     *(("elliptic_planetary", name) for name in MOTION),
     *(("oval_planetary", f"{name}{gears}") for name in MOTION for gears in ("", "_cylindrical")),

@@ -1,4 +1,4 @@
-"""Series of all functions that kernels know: their values and slopes, and none across a seam."""
+"""Series of all functions known to kernels: values and slopes, and no series across a seam."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mechproof.programs.lowering import FUNCTIONS
 
 X, K = sp.symbols("x k", real=True)
 TERMS = 5
-# Of what programs alone have.
+# Functions that occur in programs only.
 INNER = {"ProductRest", "QuotientRest", "SumRest", "SmallTangent", "SmallArctan"}
 INNER |= {"TangentQuotient", "Single", "WholeTurnsOff", "hypot"}
 SMOOTH = [
@@ -24,7 +24,7 @@ SMOOTH = [
     *(sp.acosh(2 + X), sp.atan2(X, K - 1), X**K, K**X, X**X, (X - 1) ** 5, X ** Rational(-7, 3)),
     *(X**-2, sp.sqrt(X) ** 3, sp.sinc(X - K), sp.sinc(40 * X)),
 ]
-# What steps and corners are where x = 9/16 and k = 1/4.
+# The values of functions with steps or corners at x = 9/16 and k = 1/4.
 STEPS = {
     sp.sign(X - 1): -1,
     sp.floor(3 * X): 1,
@@ -54,7 +54,7 @@ def test_values_and_slopes_are_those_of_sympy(expression: sp.Expr) -> None:
     for order in range(TERMS):
         slope = sp.diff(at, X, order).doit().subs(X, PLACE) / sp.factorial(order)
         with working(1, BITS):
-            # An absolute error of a rounding beside it, and nothing wider.
+            # Up to an absolute rounding error, and no wider.
             right = arb(str(sp.N(slope, 40, maxn=1000)))
             assert abs(found[order] - right) < 1e-25 * (1 + abs(right))
             assert whole[order].contains(found[order])
@@ -78,7 +78,7 @@ def test_every_function_of_kernels_has_a_series() -> None:
 )  # fmt: skip
 @pytest.mark.parametrize("factor", [1, K, sp.floor(X / 8)])
 def test_what_is_undefined_somewhere_has_none(expression: sp.Expr, factor: sp.Expr) -> None:
-    """Nor has a multiple of it by what is zero."""
+    """Nor has its product with a factor that is zero."""
     exponent = Rational(1, 4)
     value = factor * sp.cos(expression.subs(K, exponent))
     assert not expand(value, arb(2, 1.25), 0)[0].is_finite()
@@ -96,7 +96,7 @@ def test_the_sinc_is_enclosed_near_zero(place: arb) -> None:
 
 
 def expand_sinc(place: arb) -> list[arb]:
-    """Return sums of sixty terms at a number, each of which is differentiated."""
+    """Return the Taylor terms of sinc at a point, from sixty terms of its series."""
     powers = sp.series(sp.sin(X), X, 0, 60).removeO() / X
     return list_terms(TaylorExpression(sp.expand(powers), X, {}, {}).expand(arb_series([place, 1])))
 

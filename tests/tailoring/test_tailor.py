@@ -1,4 +1,4 @@
-"""What `mechproof.tailor` gives: a function like a kernel, in NumPy, numba and C."""
+"""`mechproof.tailor` returns a function that behaves like a kernel, in NumPy, numba and C."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_a_shown_bound_is_not_rounded_down(number: float) -> None:
 def test_numba_and_numpy_agree_within_their_bounds() -> None:
     pytest.importorskip("numba")
     apart = tailored(NUMBA)(points()) - tailored(NUMPY)(points())
-    # Both have the polynomials: only roundings differ, a few ulps of 4e7 at the ends.
+    # Both use the same polynomials: only roundings differ, by a few ulps of 4e7 at the ends.
     assert np.nanmax(np.abs(apart)) <= 8 * 2.0**-53 * 4.3e7
 
 

@@ -1,4 +1,4 @@
-"""Tailored kernels are within their bounds, and what is not is refused."""
+"""Tailored kernels are within their bounds, and kernels that are not are refused."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def prepare(name: str, error: float, case: str = "") -> tuple[Request, Built]:
 
 
 def list_points(request: Request, kernel: Tailored) -> Array:
-    """Points chosen to hurt: ends, where pieces meet, in far periods, too, and neighbours."""
+    """Return points chosen to hurt: ends, seams of pieces, also in far periods, and neighbours."""
     rng = np.random.default_rng(RNG)
     low, high = kernel.low, kernel.high
     places = [low, high, 0.0, *kernel.edges, *(-e for e in kernel.edges)]
@@ -82,7 +82,7 @@ def list_points(request: Request, kernel: Tailored) -> Array:
 
 
 def find_worst(request: Request, kernel: Tailored, more: Array | None = None) -> float:
-    """Return the largest error found, in balls."""
+    """Return the largest error found, as measured by balls."""
     subject = find_subject(request.name)
     first, *others = subject.quantity.arguments
     sizes = {a.symbols[0]: request.values[a.name] for a in others}
@@ -106,7 +106,7 @@ def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None
     assert find_worst(request, kernel) <= kernel.bound <= error
 
 
-# Near e = 1 the position turns by half a turn within 1 - e: (1 - e, error asked for).
+# Near e = 1 the position changes by half a turn within 1 - e: (1 - e, requested error).
 STEEP = [(1e-2, 1.0), (5e-3, 1.0), (1e-3, 0.1), (1e-4, 0.1)]
 
 
@@ -161,7 +161,7 @@ def test_other_quantities_and_ranges_are_within_their_bounds(case: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_bounds_are_no_wider_than_twice_what_is_found(name: str) -> None:
-    # 2: the roundings at the ends of the range, which no point meets in full, are a quarter.
+    # The factor 2 allows for roundings at the ends, a quarter of the bound, that no point meets.
     request, built = prepare(name, 1e-6)
     assert built.bound.error <= 2 * find_worst(request, make_kernel(request, built, NUMPY))
 
@@ -175,7 +175,7 @@ def check(request: Request, model: Model, limit: float) -> None:
 
 
 def change_pieces(model: Model) -> Iterator[Model]:
-    """Change each coefficient of each piece so that its share at the end moves by 1e-4."""
+    """Yield models with one coefficient changed, its term at the piece's end by 1e-4."""
     pieces = model.pieces
     ends = [*pieces.edges, model.high]
     for i, piece in enumerate(pieces.pieces):
@@ -267,13 +267,13 @@ def test_tracked_roundings_hold_what_doubles_do() -> None:
         with working(1, 512):
             true = track(program, point, point).middle.coeffs()[0]
             worst = max(worst, float(abs(arb(value) - true).upper()))
-    # Of some thirty roundings, each at its worst, a tenth is met.
+    # Some thirty roundings are bounded at their worst; a tenth of the sum is reached.
     assert allowed / 20 < worst <= allowed
 
 
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_what_is_said_to_repeat_does(system: str) -> None:
-    """Sines and cosines of the angle a period on, and the gain, cancel symbol by symbol."""
+    """Sines and cosines of an angle one period later, and the gain, cancel symbolically."""
     paper = paper_of(system)
     for quantity in paper.quantities:
         if quantity.periodicity is not None:

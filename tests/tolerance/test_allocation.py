@@ -1,4 +1,4 @@
-"""Tolerances from a wanted width, which the certified range then keeps."""
+"""Tolerances allocated for a wanted width, which the certified range then keeps."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_costs_are_made_least() -> None:
     )
     widths = {name: found.sizes[name].tolerance for name in CHOSEN}
     slopes = {name: found.effects[name] / widths[name] for name in CHOSEN}
-    # At the least cost a/T**2 goes with |c| (Lagrange).
+    # At the least cost a/T**2 is proportional to |c| (Lagrange).
     rates = [costs[name] / widths[name] ** 2 / slopes[name] for name in CHOSEN]
     np.testing.assert_allclose(rates, rates[0], rtol=1e-9)
     assert found.sizes["l_LM"].tolerance == 0

@@ -66,7 +66,7 @@ def test_where_the_corner_range_is_no_bound() -> None:
 
 
 def test_a_turn_inside_costs_no_boxes() -> None:
-    # The position turns in alpha_KL at most of these; halving alone examines 320 boxes.
+    # The position has a turning point in alpha_KL at most inputs; halving alone needs 320 boxes.
     result = certified_range("wedge_linkage", "position", np.linspace(-37.8, -36.3, 10), SIZES)
     assert result.turning.any(axis=1).sum() >= 5
     assert result.boxes.sum() <= 40
@@ -231,7 +231,7 @@ def test_where_the_input_leaves_the_domain_there_is_no_bound() -> None:
     result = certified_range(paper, "position", inputs, sizes)
     assert np.isfinite(result.lower).tolist() == [True, True, False, False]
     assert np.isfinite(result.upper).tolist() == [True, True, False, False]
-    # In the third there are sizes inside the domain, and the quantity has values there.
+    # For the third input some sizes lie inside the domain, where the quantity has values.
     assert np.isnan(result.upper_attained).tolist() == [False, False, False, True]
     assert result.boxes[3] == 2
 
@@ -248,7 +248,7 @@ def test_an_input_outside_its_own_set_has_no_bound() -> None:
 def test_out_of_reach_of_the_linkage_there_is_no_bound() -> None:
     short = SIZES | {"l_BC": Size(49.75, 1.22, -6.0)}
     result = certified_range("wedge_linkage", "position", [-10.0, -44.25], short)
-    # At x1 = -(l_AB + l_CD) the guide follows where l_BC >= 44.25, if all else is nominal.
+    # At x1 = -(l_AB + l_CD) the guide can follow if l_BC >= 44.25 and all else is nominal.
     assert np.isfinite([result.lower[0], result.upper[0]]).all()
     assert (result.lower[1], result.upper[1]) == (-np.inf, np.inf)
     assert np.isfinite([result.lower_attained[1], result.upper_attained[1]]).all()

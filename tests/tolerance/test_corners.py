@@ -16,7 +16,7 @@ EPS = np.finfo(float).eps
 
 
 def linear(x: Any, a: Any, b: Any, c: Any = 0.0) -> Any:
-    """Powers of two as coefficients, so that results are exact."""
+    """Return x*a - 2*b, exact because the coefficients are powers of two."""
     return x * a - 2 * b + 0 * c
 
 
@@ -38,7 +38,7 @@ def wedge(
     alpha_lm: Any,
     **idle: Any,
 ) -> Any:
-    """Equations (1), (3), (4), (7), (8), (10) of Bazuev et al. 2021."""
+    """Return the position by equations (1), (3), (4), (7), (8), (10) of Bazuev et al. 2021."""
     q = np.sqrt(l_bc**4 + x1 * l_bc**2 * (2 * l_cd + 2 * l_ab + x1))
     arm = l_ab + l_cd
     numerator = -(x1 + l_ab) * q + l_cd * (l_bc**2 - q) + l_bc**2 * l_ab
@@ -49,7 +49,7 @@ def wedge(
     return l_lm * (np.sin(phi7 + alpha_lm) - np.sin(alpha_lm))
 
 
-# The calibrated set (three lengths without influence have digits of no meaning).
+# The calibrated set (the digits of three lengths without influence are arbitrary).
 WEDGE = {
     "l_ab": Size(6.25),
     "l_bc": Size(49.75, 1.22, -1.22),
@@ -122,7 +122,7 @@ def test_signs_reproduce_the_range_of_the_wedge() -> None:
     inputs = np.linspace(-40, 0, 81)
     result = corner_range(wedge, inputs, WEDGE)
     for value, signs in ((result.lower, result.lower_signs), (result.upper, result.upper_signs)):
-        # Sizes of sign 0 at their lower limits, as documented.
+        # Sizes of sign 0 are at their lower limits, as documented.
         at = {
             name: np.where(signs[:, j] > 0, *reversed(WEDGE[name].limits))
             for j, name in enumerate(result.names)
@@ -175,7 +175,7 @@ def test_nan_in_a_corner_is_counted_and_no_range_claimed() -> None:
         assert result.undefined.tolist() == [2, 8, 2]
         assert np.isnan(result.lower).all()
         assert np.isnan(result.upper).all()
-        # Only a = 0, b = -1 is without a root.
+        # Only a = 0, b = -1 has no root.
         assert result.describe(result.lower_signs[0]) == "-a -b"
         assert result.describe(result.upper_signs[2]) == "-a -b"
         assert np.isfinite(result.nominal[0])
@@ -220,7 +220,7 @@ def test_memory_does_not_grow_with_the_combinations() -> None:
         return highest
 
     # One call holds the sizes' columns, and the product, the sum and NaN marks of a chunk.
-    # 2^14 combinations at 100 inputs are 13 MB, had they been kept.
+    # Keeping 2^14 combinations at 100 inputs would take 13 MB.
     assert peak(14) < 16 * 8 * 2**12
     assert peak(14) < 1.5 * peak(11)
 

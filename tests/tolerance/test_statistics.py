@@ -19,7 +19,7 @@ from mechproof.tolerance import (
 
 
 def linear(x: Any, a: Any, b: Any, c: Any = 0.0) -> Any:
-    """Powers of two as coefficients, so that results are exact."""
+    """Return x*a - 2*b, exact because the coefficients are powers of two."""
     return x * a - 2 * b + 0 * c
 
 
@@ -60,7 +60,7 @@ def test_given_sensitivities_replace_the_quotients() -> None:
     quotient = contributions(cube, [1.0, 2.0], sizes).sensitivities[:, 0]
     exact = contributions(cube, [1.0, 2.0], sizes, sensitivities={"a": [12.0, 24.0]})
     assert exact.sensitivities[:, 0].tolist() == [12, 24]
-    # T²/24 times the third derivative, the only error of a cube.
+    # T²/24 times the third derivative is the only error for a cube.
     assert (quotient - exact.sensitivities[:, 0]).tolist() == [6 / 24, 12 / 24]
     assert contributions(cube, [1.0], sizes, sensitivities={"a": 5}).effects.tolist() == [[5]]
 
@@ -83,7 +83,7 @@ def test_root_sum_square() -> None:
     assert (lower, upper) == (-2, 8)
 
 
-# Monte Carlo. With normal output of deviation s, the sample quantile q scatters with
+# Monte Carlo. For normal output of deviation s, the standard error of the sample quantile q is
 # s √(q(1-q)/n)/φ(z). All such bounds below are 6 standard errors: false alarms 2e-9 each (the seed
 # is fixed, so a pass stays a pass).
 
@@ -127,7 +127,7 @@ def truncated_variance(end: float) -> float:
     return (1 - 2 * end * density / math.erf(end / math.sqrt(2))) / end**2
 
 
-# Down to a law that is flat to rounding, and up to one whose limits are never met.
+# From a law that is flat up to rounding to one whose limits are never reached.
 MULTIPLES = (1e-100, 1e-9, 1e-5, 1e-4, 1e-3, 2.0, 6.0, 70.0, 1e3)
 
 
@@ -170,7 +170,7 @@ def test_sizes_lie_about_the_middle_of_their_limits() -> None:
 
 
 def test_any_source_of_values_is_a_law() -> None:
-    """Readings of the parts themselves, drawn again."""
+    """Here readings of the parts themselves are resampled."""
 
     class Parts:
         def sample(self, rng: np.random.Generator, size: int) -> Any:
@@ -251,7 +251,7 @@ ONE = {"s": Size(1, 1, 0)}
 
 
 class Pair:
-    """A law that draws two values, however many are wanted."""
+    """A law that draws two values, whatever the requested size."""
 
     def __repr__(self) -> str:
         return "a pair"

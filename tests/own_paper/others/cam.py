@@ -19,13 +19,13 @@ from mechproof.record import (
 PRINT = Transcription(Path(__file__).with_name("cam.tex"))
 h, u, w, velocity, acceleration, theta = PRINT.symbols("h u w s_1 s_2 theta")
 
-# The laws, by the part of the rise and of the return that is gone through.
+# The laws, in terms of the completed fractions of the rise and of the return.
 RISE_ENDS, DWELL_ENDS, RETURN_ENDS = 2 * pi / 3, pi, 5 * pi / 3
 RISEN, RETURNED = theta / RISE_ENDS, (theta - DWELL_ENDS) / (RETURN_ENDS - DWELL_ENDS)
 
 
 def join(rise, dwell, fall):
-    """Return what is one thing in each part of a turn."""
+    """Return a piecewise function of theta: rise, dwell, return (`fall`), and 0 for the rest."""
     return Piecewise(
         (rise, theta < RISE_ENDS),
         (dwell, theta < DWELL_ENDS),

@@ -10,12 +10,12 @@ from mechproof.record import Argument, Correction, Form, Paper, PublishedSizes, 
 PRINT = Transcription(Path(__file__).with_name("four_bar.tex"))
 a, b, c, d, sigma, phi, ratio, theta = PRINT.symbols("a b c d sigma phi phi_prime theta")
 
-# The mechanics. From the rocker's pivot to the crank pin it is the diagonal; the rocker lies beside
-# it by the angle that the triangle of diagonal, rocker and coupler has there.
+# The mechanics. The diagonal joins the rocker's pivot and the crank pin; the rocker is turned from
+# it by the angle at the pivot in the triangle of diagonal, rocker and coupler.
 DIAGONAL = sqrt(a**2 + d**2 - 2 * a * d * cos(theta))
 COSINE = (DIAGONAL**2 + c**2 - b**2) / (2 * c * DIAGONAL)
 ROCKER = pi - atan2(a * sin(theta), d - a * cos(theta)) - sigma * acos(COSINE)
-# The loop a + b = d + c, of which the coupler is as long as it is.
+# The loop a + b = d + c closes with the coupler at its length.
 CLOSURE = (d + c * cos(phi) - a * cos(theta)) ** 2 + (c * sin(phi) - a * sin(theta)) ** 2 - b**2
 RATIO = -diff(CLOSURE, theta) / diff(CLOSURE, phi)
 SHORT = a * (d * sin(theta) + c * sin(theta - phi)) / (c * (d * sin(phi) + a * sin(theta - phi)))

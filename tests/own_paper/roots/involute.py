@@ -6,9 +6,9 @@ from mechproof.record import Argument, Equation, Form, Paper, Quantity, Root, Va
 
 alpha, y = Symbol("alpha", positive=True), Symbol("y", positive=True)
 
-# What the string about the base circle is longer than the chord that it has left.
+# The involute function: the angle unrolled from the base circle, less the pressure angle.
 UNROLLED = tan(alpha) - alpha
-# The first term of the series, which is too large, as the derivative rises.
+# The start is the first term of the series, which is too large, as the derivative rises.
 ANGLE = Root(UNROLLED - y, (alpha, Rational(1, 20), Rational(13, 10)), start=cbrt(3 * y), steps=6)
 
 PAPER = Paper(

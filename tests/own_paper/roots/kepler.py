@@ -7,7 +7,7 @@ from mechproof.record import Argument, Equation, Form, Paper, Quantity, Root, Va
 E, M, e = Symbol("E", real=True), Symbol("M", real=True), Symbol("e", nonnegative=True)
 rate = Symbol("E_prime", real=True)
 
-# The sector that is swept, in the circle about the ellipse, less the triangle of its centre.
+# The sector swept in the circle about the ellipse, less the triangle at its centre.
 SWEPT = E - e * sin(E)
 ANOMALY = Root(SWEPT - M, (E, M - 1, M + 1), start=M + e * sin(M), steps=5)
 
