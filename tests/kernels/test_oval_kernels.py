@@ -133,7 +133,7 @@ def test_the_measure_rejects(name: str, wrong: Callable[..., Any]) -> None:
     assert measure(name, wrong) > 1000 * accuracy.ulp
 
 
-# quad's own estimate is 1e-11 here; the integrand is smooth, its peak 1/(1 - e) wide.
+# quad's own estimate is 1e-11 here; the integrand is smooth, with peaks some 1 - e wide.
 @pytest.mark.parametrize("mount", [0.0, 0.4, math.pi / 2, 2.5])
 @pytest.mark.parametrize("turns", [0.1, 0.5, 1.75, 3.3])
 def test_position_is_the_integral_of_the_ratio(mount: float, turns: float) -> None:

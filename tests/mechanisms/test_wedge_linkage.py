@@ -224,7 +224,8 @@ def deviations(number: int) -> dict[str, tuple[float, float]]:
     return {name: (size.upper, size.lower) for name, size in sizes.items()}
 
 
-# x1 from, to; II is the upper boundary there; III, IV the lower. All 2^8 combinations.
+# The x1 from which II is the upper boundary, and the x1 at which the lower one changes from IV to
+# III, over all 2^8 combinations.
 BOUNDARIES = {1: (-37.0, -29.3), 2: (-40.0, -29.5)}
 
 

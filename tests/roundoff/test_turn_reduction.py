@@ -23,7 +23,7 @@ def test_angles_that_are_not_reduced_have_no_bound() -> None:
 
 
 def test_no_double_is_nearer_to_a_quarter_turn() -> None:
-    """No double next to the first or the largest multiples of pi/2 is nearer than the least."""
+    """The doubles next to these multiples of pi/2 are no nearer than the least distance found."""
     least = find_nearest(DOUBLE.largest)
     with working_precision(200):
         near = [arb(n) * arb.pi() / 2 for n in (*range(1, 2000), *range(2**25, 2**25 + 2000))]

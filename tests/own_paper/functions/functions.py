@@ -1,4 +1,4 @@
-"""Functions of one or two numbers, each a quantity: what a paper of one's own may have."""
+"""Functions of one or two numbers, each a quantity, as a user's own paper may have them."""
 
 from sympy import (
     FiniteSet,

@@ -1,4 +1,4 @@
-"""The pressure angle by its involute, as the thickness of a tooth gives it."""
+"""The pressure angle from its involute, as needed for the thickness of a tooth."""
 
 from sympy import Interval, Rational, Symbol, cbrt, tan
 

@@ -1,4 +1,4 @@
-"""Kepler's equation: the eccentric anomaly and the rate at which it goes, both by its root."""
+"""Kepler's equation: the eccentric anomaly and its rate, both from the root of the equation."""
 
 from sympy import Interval, Rational, Symbol, cos, diff, sin
 
