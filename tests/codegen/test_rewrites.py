@@ -46,7 +46,7 @@ def expand(evaluation: Evaluation) -> sp.Basic:
 def largest_difference(first: sp.Basic, second: sp.Basic, points: int = 5) -> mp.mpf:
     """Evaluate both at random points of (0, 1) to 60 digits; sums have three terms."""
     # Two different analytic functions agree to 50 digits at a random point with probability
-    # about 1e-50: neither a false alarm nor a missed difference is to be feared.
+    # about 1e-50, so neither false alarms nor missed differences occur.
     random = np.random.default_rng(7)
     worst = mp.mpf(0)
     with mp.workdps(60):

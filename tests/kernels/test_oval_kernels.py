@@ -95,7 +95,7 @@ def measure(name: str, function: Callable[..., Any]) -> float:
                 return math.inf
             at = tuple(map(mp.mpf, point))
             error = abs(mp.mpf(float(value)) - exact(*at))
-            # Below lies the rounding of the definition itself, where the value is zero.
+            # Smaller errors are roundings of the definition itself, where the value is zero.
             if error > mp.mpf(10) ** (20 - DIGITS):
                 worst = max(worst, float(error / (EPS * scale(*at))))
     return worst

@@ -1,4 +1,4 @@
-"""Kernels in C, also on a GPU, as a way to compute: numba's bits, and records without them."""
+"""Kernels in C, also on a GPU, as ways to compute: they have numba's bits, and may be missing."""
 
 from __future__ import annotations
 

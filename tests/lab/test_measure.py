@@ -266,7 +266,7 @@ def test_the_tables_show_every_way_and_what_was_lost(record: Record, tmp_path: P
     assert {way.name for way in record.ways} <= rows.keys()
     assert rows["kernel, out="] == rows["kernel"] != rows["kernel, float32"]
     assert f"Scaled: eps of {record.scale}." in page
-    # What overflows is counted, and the set where it first did is named.
+    # Overflows are counted, and the first set with one is named.
     naive = rows["printed (17)"].split("|")
     lost = [errors for errors in record.errors_of("printed (17)") if errors.infinite]
     assert naive[-3:-1] == [str(sum(errors.infinite for errors in lost)), lost[0].set]

@@ -68,12 +68,12 @@ def test_extremes_are_attained_and_not_passed(e: float) -> None:
     mechanism = EllipticPlanetary(66, 16, e)
     extremes = mechanism.extremes()
     sampled = mechanism.ratio(np.linspace(0, 3 * extremes.period, 20001))
-    # The bound of the ratio is 16 eps of it; where its slope vanishes nothing is added.
+    # The ratio is accurate to 16 eps; where its slope vanishes, rounding phi adds nothing.
     margin = 20 * EPS
     assert sampled.max() <= extremes.maximum * (1 + margin)
     assert sampled.min() >= extremes.minimum * (1 - margin)
     assert mechanism.ratio(extremes.at_maximum) == pytest.approx(extremes.maximum, rel=margin)
-    # x = pi is met to an ulp, where the ratio is flat.
+    # x = pi is hit to within an ulp, and the ratio is flat there.
     assert mechanism.ratio(extremes.at_minimum) == pytest.approx(extremes.minimum, rel=margin)
 
 

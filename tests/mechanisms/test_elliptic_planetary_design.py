@@ -125,7 +125,7 @@ def test_extremes_of_derivatives_are_attained_and_not_passed(e: float, of: Any) 
     size = max(abs(found.maximum), abs(found.minimum))
     assert values.max() <= found.maximum + 80 * EPS * size
     assert values.min() >= found.minimum - 80 * EPS * size
-    # Angles are known to 8 eps, where the curve is flat: but not where two peaks part.
+    # Angles are known to 8 eps and the curve is flat there, but not where one peak splits into two.
     near = 1e-9 * size
     assert curve(found.at_maximum) == pytest.approx(found.maximum, abs=near)
     assert curve(found.at_minimum) == pytest.approx(found.minimum, abs=near)

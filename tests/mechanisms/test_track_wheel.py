@@ -89,7 +89,7 @@ def test_rotation_is_proper_and_turns_counter_clockwise() -> None:
 def test_displacement_is_equation_15() -> None:
     points = WHEEL.track(PHI)
     direct = points @ WHEEL.rotation() - (points - np.array(WHEEL.shift))
-    # The direct form loses what cancels: some eps of the coordinates.
+    # The direct form loses some eps of the coordinates to cancellation.
     np.testing.assert_allclose(WHEEL.displacement(PHI), direct, rtol=0, atol=20 * EPS * 50)
     assert np.array_equal(WHEEL.displacement_of(points), WHEEL.displacement(PHI))
 

@@ -19,7 +19,7 @@ from mechproof.plot.figures import Figure, draw
 
 # In pixels: boxes of texts may share an edge, and a box has room above and below its letters.
 EDGE, ROOM = 0.5, 2.0
-# The figures of each system, listed here because loading the modules that state them takes seconds.
+# The figures of each system, listed because loading the modules that state them takes seconds.
 NAMES = {
     "elliptic_planetary": ("fig-3", "fig-3-rates", "table-3"),
     "oval_planetary": ("fig-2",),

@@ -157,7 +157,7 @@ def test_boundaries_of_paper_4(number: int) -> None:
     corners = corner_range(wedge_linkage.position, module.STROKE, sizes)
     nominal, upper, lower = (line.get_ydata() for line in position.lines[:3])
     np.testing.assert_array_equal(nominal, corners.nominal)
-    # Up to 24 um lie above II, where another corner takes over; none below III and IV.
+    # The range exceeds II by up to 24 um, where another corner takes over, but not III or IV.
     assert np.all((corners.upper - upper >= 0) & (corners.upper - upper < 0.025))
     np.testing.assert_allclose(lower, corners.lower, rtol=0, atol=1e-12)
     widest = spread.lines[0].get_ydata()
