@@ -207,8 +207,8 @@ def test_numbers_of_sympy_are_taken_as_numbers() -> None:
         ({"usual": (0, sp.oo)}, "argument 'x': usual = oo: must be a number"),
         ({"usual": (0, sp.I)}, "argument 'x': usual = I: must be a number"),
         ({"default": float("nan")}, "argument 'x': default = nan: must be a number"),
-        ({"usual": (1,)}, r"argument 'x': usual = \(1,\): must be edges that rise"),
-        ({"usual": (0, 2, 2)}, r"argument 'x': usual = \(0, 2, 2\): must be edges that rise"),
+        ({"usual": (1,)}, r"argument 'x': usual = \(1,\): must be two or more rising"),
+        ({"usual": (0, 2, 2)}, r"argument 'x': usual = \(0, 2, 2\): must be two or more rising"),
     ],
 )
 def test_an_argument_with_other_sizes_is_refused(given: dict[str, Any], told: str) -> None:

@@ -138,5 +138,5 @@ def test_a_row_stands_on_the_page_of_a_quantity_that_there_is(tmp_path: Path) ->
 
 
 def test_a_printed_row_stands_in_its_paper() -> None:
-    with pytest.raises(ValueError, match="only rows of ours name them"):
+    with pytest.raises(ValueError, match="only rows marked 'ours' name them"):
         Claim("(1)", "q", quantities=("q",))

@@ -77,7 +77,11 @@ def test_one_pass_inside_compiled_functions_and_its_errors() -> None:
     ("system", "names", "message"),
     [
         ("elliptic_planetary", ("position", "speed"), r"no quantities with forms: \['speed'\]"),
-        ("elliptic_planetary", ("position", "largest_ratio"), "quantities of different arguments"),
+        (
+            "elliptic_planetary",
+            ("position", "largest_ratio"),
+            "quantities with different arguments",
+        ),
         ("track_wheel", ("rotation", "rotation"), r"\['rotation', 'rotation'\] are not computed"),
     ],
 )

@@ -170,9 +170,9 @@ def test_a_row_cites_sentences_of_the_transcription_that_are_not_aside():
     paper = replace(PAPER, system="s", rows=(cited,), sentences=2, aside={"S1": "motivation"})
     judgement = judge(cited, paper)
     assert (judgement.id, judgement.as_dict()["cites"]) == ("s/eq-1", ["S2"])
-    with pytest.raises(ValueError, match=r"sentences = 1: there are no \['S2'\]"):
+    with pytest.raises(ValueError, match=r"sentences = 1: unknown \['S2'\]"):
         replace(paper, sentences=1)
-    with pytest.raises(ValueError, match=r"aside: rows judge \['S2'\]"):
+    with pytest.raises(ValueError, match=r"aside: rows also judge \['S2'\]"):
         replace(paper, aside={"S2": "motivation"})
 
 

@@ -19,7 +19,7 @@ from mechproof.record.parts import has_parts
 # others.
 REFUSED = {
     "Cc": "a control character",
-    "Cf": "an invisible character or one that turns the direction of writing",
+    "Cf": "an invisible character or one that changes the writing direction",
     "Cs": "half a character",
     "Zl": "a line separator",
     "Zp": "a paragraph separator",
@@ -42,10 +42,10 @@ def make_exact(record: object, *names: str) -> None:
             value = sp.Rational(value)
         if not isinstance(value, sp.Expr | sp.MatrixBase):
             where = f"{type(record).__name__}: {name} = {value!r}"
-            raise RecordError(f"{where}: allowed are SymPy expressions, integers and fractions")
+            raise RecordError(f"{where}: must be a SymPy expression, an integer or a fraction")
         if has_parts(value, sp.Float):
             where = f"{type(record).__name__}: {name} = {value}"
-            raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
+            raise RecordError(f"{where}: has a float; write Rational('0.1')")
         object.__setattr__(record, name, value)
 
 
@@ -72,8 +72,8 @@ def check_name(what: str, name: object) -> None:
     """Raise ValueError for a name that cannot be used in code and for a file."""
     if not is_name(name):
         raise ValueError(
-            f"{what} = {name!r}: it names code and files, so it must be of letters, digits and "
-            "underscores, begin with a letter and be no keyword of Python"
+            f"{what} = {name!r}: it names code and files, so it must consist of letters, digits "
+            "and underscores, begin with a letter and not be a keyword of Python"
         )
 
 

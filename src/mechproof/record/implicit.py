@@ -118,11 +118,11 @@ def _find_faults(made: Implicit) -> Iterator[str]:
     if not (isinstance(unknown, sp.Symbol) and unknown.is_real):
         yield f"its unknown {unknown} must be a real symbol"
     if not of.has(unknown):
-        yield f"it does not have the unknown {unknown}"
+        yield f"it does not contain the unknown {unknown}"
     if any(part.has(unknown) for part in (low, high, start)):
-        yield f"neither bracket nor start may have the unknown {unknown}"
+        yield f"neither bracket nor start may contain the unknown {unknown}"
     if not (steps.is_Integer and 1 <= steps <= MOST_STEPS):
-        yield f"steps = {steps}: allowed is 1 to {MOST_STEPS}"
+        yield f"steps = {steps}: must be 1 to {MOST_STEPS}"
     rough = {part for part in of.atoms(*_WITHIN) if part.has(unknown)}
     if rough or any(part.has(Implicit) for part in (of, low, high, start)):
         names = ", ".join(sorted(type(part).__name__ for part in rough)) or "another root"

@@ -168,7 +168,7 @@ class Paper(Displayed):
         check_name("paper: system", self.system)
         if self.system in RESERVED:
             raise ValueError(
-                f"paper: system = {self.system!r}: must be none of {', '.join(RESERVED)}"
+                f"paper: system = {self.system!r}: must not be one of {', '.join(RESERVED)}"
             )
         check_texts(self, f"paper {self.system!r}")
         for what, names in (
@@ -205,9 +205,9 @@ def _check_sentences(paper: Paper) -> None:
     known = {f"S{number}" for number in range(1, paper.sentences + 1)}
     where = f"paper {paper.system!r}"
     if unknown := sorted((cited | paper.aside.keys()) - known):
-        raise ValueError(f"{where}: sentences = {paper.sentences}: there are no {unknown}")
+        raise ValueError(f"{where}: sentences = {paper.sentences}: unknown {unknown}")
     if both := sorted(cited & paper.aside.keys()):
-        raise ValueError(f"{where}: aside: rows judge {both}")
+        raise ValueError(f"{where}: aside: rows also judge {both}")
 
 
 def _check_together(paper: Paper, together: OnePass) -> None:
@@ -221,4 +221,4 @@ def _check_together(paper: Paper, together: OnePass) -> None:
     if unknown:
         raise ValueError(f"{where}: no quantities with forms: {unknown}")
     if len({arguments[name] for name in together.quantities}) != 1:
-        raise ValueError(f"{where}: quantities of different arguments: {together.quantities}")
+        raise ValueError(f"{where}: quantities with different arguments: {together.quantities}")

@@ -121,9 +121,7 @@ class Argument:
             object.__setattr__(self, "default", to_number(f"{where}: default", self.default))
         usual = tuple(to_number(f"{where}: usual", edge) for edge in self.usual)
         if usual and (len(usual) < 2 or any(low >= high for low, high in pairwise(usual))):
-            raise RecordError(
-                f"{where}: usual = {self.usual}: must be edges that rise, two or more"
-            )
+            raise RecordError(f"{where}: usual = {self.usual}: must be two or more rising edges")
         object.__setattr__(self, "usual", usual)
 
 
@@ -253,8 +251,8 @@ class Quantity:
         wrong = sorted({k for k in keys if not is_name(f"x_{k}") or keys.count(k) > 1 or not k})
         if wrong:
             raise ValueError(
-                f"quantity {self.name!r}: each form that is not shipped needs a key that is a name "
-                f"and that no other has; these are none: {wrong}"
+                f"quantity {self.name!r}: each form that is not shipped needs a valid name as its "
+                f"own key; these are not: {wrong}"
             )
 
 

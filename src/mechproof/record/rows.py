@@ -17,11 +17,11 @@ Derived = Mapping[sp.Basic, sp.Basic]
 # Marks of rows: what a row rests on, and what that means for a reader.
 MARKS = {
     "rebuilt": "the print is damaged and was restored from the equations around it: what was "
-    "restored cannot be charged to the paper, and that it is proved confirms nothing",
-    "inferred": "not printed in so many words, but read from a figure or from the sense",
+    "restored cannot be charged to the paper, and its proof confirms nothing",
+    "inferred": "not printed explicitly, but read from a figure or from the meaning",
     "uncertain": "a character or a digit of the print may be another",
     "calibrated": "rests on a number that the paper does not print and that was reconstructed",
-    "fitted": "rests on a number that was fitted to this very print, which is no confirmation",
+    "fitted": "rests on a number that was fitted to this very print, so it confirms nothing",
     "ours": "not printed in the paper: a result that other rows or the kernels rest on",
     "consequence": "what follows from the rows for the paper's own numbers and conclusions",
 }
@@ -117,7 +117,7 @@ class Row(_Told):
         if unknown := marks - set(MARKS):
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {tuple(MARKS)}")
         if self.quantities and "ours" not in self.marks:
-            raise ValueError(f"row {self.number!r}: quantities: only rows of ours name them")
+            raise ValueError(f"row {self.number!r}: quantities: only rows marked 'ours' name them")
         if self.says is not None:
             check_statement(self.says)
 

@@ -62,9 +62,9 @@ class Holds:
 
     def __post_init__(self) -> None:
         if not isinstance(self.relation, Boolean) or self.relation.is_Symbol:
-            raise RecordError(f"Holds: {self.relation!r} is no relation of SymPy")
+            raise RecordError(f"Holds: {self.relation!r} is not a relation of SymPy")
         if self.relation.has(sp.Float):
-            raise RecordError(f"Holds: {self.relation} has a float; exact is Rational('0.1')")
+            raise RecordError(f"Holds: {self.relation} has a float; write Rational('0.1')")
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,7 @@ class Completions:
             is_one = self.first.says == self.second.says
             if not (has_values and is_one and self.first.value != self.second.value):
                 raise RecordError(
-                    f"Completions: two values of {self.missing} are needed, and one statement"
+                    f"Completions: must have two values of {self.missing} and one statement"
                 )
         elif not self.missing or self.first.text == self.second.text:
             raise RecordError("Completions: name what is missing, and complete it in two ways")
@@ -221,4 +221,4 @@ def rounded(numbers: Iterable[str], values: Iterable[sp.Expr]) -> tuple[PrintedN
 def check_statement(says: object) -> None:
     """Raise RecordError unless it is a statement."""
     if not isinstance(says, Statement):
-        raise RecordError(f"{says!r} is no statement: {type(says).__name__}")
+        raise RecordError(f"{says!r} is not a statement: {type(says).__name__}")

@@ -39,7 +39,7 @@ def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basi
         if not found:
             return expression
         expression = substitute(expression, {symbol: given[symbol] for symbol in found})
-    raise RecordError(f"symbols are given in a circle: {sorted(map(str, found))}")
+    raise RecordError(f"symbols are defined in terms of each other: {sorted(map(str, found))}")
 
 
 def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:
