@@ -208,17 +208,17 @@ REFUSED = [
     (r"\frac{d\max(x,1)}{dx}=1", "kinks or steps"),
     (r"\frac{d}{dx}x\sin x=1", "how far does the derivative reach"),
     (r"\frac{dx^2}{dx}=2x", "what is differentiated"),
-    (r"\frac{d^2x}{dx}=1", "of two orders"),
-    (r"\lim x=1", "a limit of what"),
-    (r"\lim_{x\to x}x=1", "goes to a limit"),
-    (r"n!!=1", "a factorial of what"),
+    (r"\frac{d^2x}{dx}=1", "with two orders"),
+    (r"\lim x=1", "which letter tends to what"),
+    (r"\lim_{x\to x}x=1", "tends to a limit"),
+    (r"n!!=1", "is n even or odd"),
     (
         r"\binom{3}{1.5}=1",
         "a factorial of something that is not a whole number, 3/2: print the gamma function",
     ),
     (r"(x/2)!=1", "a factorial of something that is not a whole number"),
-    (r"(-1)!=1", "a factorial is read of whole numbers from 0 to 1000"),
-    (r"\binom{-\frac12}k=1", "is read over numbers from 0 to 12: print its product"),
+    (r"(-1)!=1", "a factorial is read only for whole numbers from 0 to 1000"),
+    (r"\binom{-\frac12}k=1", "is read only over numbers from 0 to 12: over others, print"),
 ]
 
 

@@ -116,7 +116,7 @@ def test_what_is_not_said_is_asked_for(latex: str) -> None:
 
 
 def test_what_depends_on_the_letter_is_asked_for() -> None:
-    with pytest.raises(ReadingError, match="Print the derivatives of what depends on it"):
+    with pytest.raises(ReadingError, match="the derivatives of the letters that depend on it"):
         judge(r"(\ln u)'=\frac1u")
 
 

@@ -471,7 +471,7 @@ def test_a_word_may_lead_to_an_equation() -> None:
 @pytest.mark.parametrize(
     ("reason", "written"),
     [
-        ("nothing is known of d_i[1], a member", "nothing is known of d_1, a member"),
+        ("nothing is known about d_i[1], a member", "nothing is known about d_1, a member"),
         ("d_{bi}[2] and R_{ij}[1, 2]", "d_{b2} and R_{12}"),
         ("T_i[12] and T_i[i]", "T_{12} and T_i"),
         ("R_{ij}[1, n + 1]**2", "R_{1,n + 1}^2"),

@@ -199,7 +199,7 @@ UNREAD = {
     r"\sin[2](x)=y": "a number in square brackets after a function",
     r"y=\num{2.0(1)}": "a bracket after the digits of a number",
     r"y=\SI{3(2)}{m}": "a bracket after the digits of a number",
-    r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "that is empty",
+    r"\begin{pmatrix}x&\\&y\end{pmatrix}=\begin{pmatrix}x&0\\0&y\end{pmatrix}": "an empty entry",
     r"\sqrt{x^2}=x\quad\text{unless $x<0$}": "unless",
     r"\left(x\over y\right)=\frac xy": r"\over has no meaning",
     # Remarks that deny an equation, and words that may be units.

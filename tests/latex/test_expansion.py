@@ -148,12 +148,12 @@ def test_a_print_may_introduce_a_symbol() -> None:
 
 
 def test_a_symbol_of_which_nothing_is_known_is_an_error_of_the_module() -> None:
-    with pytest.raises(ValueError, match="nothing is known of x"):
+    with pytest.raises(ValueError, match="nothing is known about x"):
         expand("x=w+1")
     for latex in ("Kx=1", "K<x", r"K\ne x", "K=K^T", r"\det K=1", "K+K=2x"):
-        with pytest.raises(ValueError, match="nothing is known of K"):
+        with pytest.raises(ValueError, match="nothing is known about K"):
             expand(latex)
-    with pytest.raises(ValueError, match="nothing is known of K"):
+    with pytest.raises(ValueError, match="nothing is known about K"):
         expand("K=1", residual=x)
     with pytest.raises(ValueError, match="do not fit together here; K is a 2x2 matrix"):
         expand("K+x=1")
@@ -194,7 +194,7 @@ def test_other_signs() -> None:
     assert says(r"\frac12\approx0.50") == PrintedNumber("0.50", sp.Rational(1, 2))
     assert says(r"-w\approx-2", derived={w: 2 * x}) == PrintedNumber("-2", -2 * x)
     assert says(r"\pi/1800\approx0.1^\circ") == PrintedNumber("0.1", sp.Rational(1, 10))
-    with pytest.raises(ValueError, match="only if it is a number"):
+    with pytest.raises(ValueError, match="only if the right side of"):
         expand(r"w\approx L")
 
 
@@ -241,7 +241,7 @@ def test_a_printed_condition_and_that_of_the_row_narrow_together() -> None:
 
 def test_a_correction_has_the_condition_of_its_print() -> None:
     right = Correction(r"-w\text{ if }w<0")
-    with pytest.raises(ValueError, match="a condition of its own"):
+    with pytest.raises(ValueError, match="its own condition"):
         expand(r"z=2w\text{ if }w>0", derived={z: w}, corrected=right)
     same = Correction(r"w\text{ if }w>0")
     (row,) = expand(r"z=2w\text{ if }w>0", derived={z: w}, corrected=same)
@@ -266,7 +266,7 @@ def test_a_correction_is_read_like_its_sign() -> None:
     (row,) = expand("x=3w", derived={x: w + w}, corrected=Correction("x=w+w"))
     assert row.corrected is not None
     assert row.corrected.says == Equality(2 * w, 2 * w)
-    with pytest.raises(ValueError, match="needs its `says`"):
+    with pytest.raises(ValueError, match="needs a `says`"):
         read_row(Claim("c", "?", Holds(sp.true), corrected=right), READER)
 
 
@@ -277,7 +277,7 @@ def test_a_sign_may_be_typed_and_is_then_marked() -> None:
 
 
 def test_declarations_that_do_not_fit_the_print_are_errors() -> None:
-    with pytest.raises(ValueError, match="it has 1 signs, not"):
+    with pytest.raises(ValueError, match="it has 1 signs, but links for"):
         expand("2w=w+w", links={2: ChainLink(note="!")})
     with pytest.raises(ValueError, match="no relation sign"):
         expand("2w")
@@ -307,7 +307,7 @@ def test_what_reading_finds_is_the_witness(latex: str, reason: str) -> None:
 
 def test_an_index_that_its_sum_does_not_use_is_told() -> None:
     (judgement,) = verdicts(r"\sum_{i=1}^3\sum_{k=1}^3 q_iq_j=w+1")
-    assert "The index k of a sum is not in its term." in judgement.reason
+    assert "The index k of a sum does not appear in its term." in judgement.reason
     (row,) = expand(r"\sum_{i=1}^3 q_i=w+1")
     assert row.note == ""
 

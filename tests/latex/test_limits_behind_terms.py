@@ -48,5 +48,5 @@ def test_what_has_no_value_or_letter_is_refused(latex: str, words: str) -> None:
 
 
 def test_limits_are_not_those_of_a_letter_that_others_give() -> None:
-    with pytest.raises(ReadingError, match="given by others"):
+    with pytest.raises(ReadingError, match="which other letters define"):
         judge_pasted(Pasted(r"[2y]_0^1=2", values=("y=x^2+x",)))

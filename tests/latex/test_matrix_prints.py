@@ -125,11 +125,11 @@ def test_a_matrix_is_read(latex: str, value: sp.Matrix) -> None:
 
 REFUSED = [
     *(
-        (latex, "taken first")
+        (latex, "comes first")
         for latex in (r"\vec{u}\times v\times w", r"[A]v\times w", r"v\cdot(1, 2, 3)")
     ),
-    (r"[A]v\times[A]w", "taken first"),
-    *((latex, "taken first") for latex in (r"\vec{u}\cdot v\cdot w", r"v\cdot[A]\cdot w")),
+    (r"[A]v\times[A]w", "comes first"),
+    *((latex, "comes first") for latex in (r"\vec{u}\cdot v\cdot w", r"v\cdot[A]\cdot w")),
     *((latex, "do not fit") for latex in (r"\vec{u}v", "v^3", r"P\cdot v")),
     *((latex, "a number and a vector") for latex in (r"x\times v", r"\vec{u}\times(x+y)")),
     (r"\begin{bmatrix}P&x\\0&1\end{bmatrix}", "do not fit"),

@@ -87,5 +87,5 @@ def test_a_residual_has_either_sign(residual: sp.Expr, verdict: Verdict) -> None
 
 def test_a_matrix_of_which_nothing_is_known_agrees_with_nothing() -> None:
     for latex in ("A=B", "A=2B", r"\det A=1", r"u\cdot v=0"):
-        with pytest.raises(ValueError, match="nothing is known of"):
+        with pytest.raises(ValueError, match="nothing is known about"):
             judge_print(latex)

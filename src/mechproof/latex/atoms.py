@@ -124,7 +124,7 @@ def _repeat_bracket(parser: Parser, start: int) -> tree.Node:
     parser.place += 3
     if len(parser.brackets) != 1:
         raise parser.refuse(
-            f"(…) repeats a bracket, but the print before it has {len(parser.brackets)}",
+            f"(…) repeats a bracket, but the preceding print has {len(parser.brackets)}",
             "Print the bracket.",
             start,
         )
@@ -204,7 +204,7 @@ def _refuse_bar_between_factors(parser: Parser) -> None:
         return
     if "|" in parser.rest_of_member():
         raise parser.refuse(
-            "upright bars around factors side by side: which belong together?",
+            "adjacent factors in upright bars: which bars belong together?",
             r"Print \left| and \right|, or \cdot after the bar.",
         )
 
@@ -235,9 +235,7 @@ def _read_range(parser: Parser) -> tuple[int, int] | None:
 
 def _read_count(parser: Parser) -> int:
     if not is_digit(parser.text):
-        raise parser.refuse(
-            "rows and columns are read by their numbers only", "Print them so: [1:3, 4]."
-        )
+        raise parser.refuse("rows and columns are given by their numbers only", "Print [1:3, 4].")
     number = read_number(parser, in_list=True)
     if not number.text.isdigit():
         raise parser.refuse("a row number that is not a whole number", "", number.start)

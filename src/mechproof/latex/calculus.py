@@ -76,7 +76,7 @@ def read_repeated(parser: Parser) -> tree.Node:
         )
     index, low, apart = _read_below(parser)
     if parser.text != "^":
-        raise parser.refuse(f"a {name} without upper limit", rf"Print \{name}_{{k=1}}^n.")
+        raise parser.refuse(f"a {name} without an upper limit", rf"Print \{name}_{{k=1}}^n.")
     high = parser.read_script("^")
     parser.bound.append(index.text)
     parser.sums.append((f"{name} {index.text}", parser.depth))
@@ -115,7 +115,7 @@ def _read_below(parser: Parser) -> tuple[tree.Letter, tree.Node, tuple[tree.Node
     token = parser.take()
     if token.text in parser.bound:
         raise parser.refuse(
-            f"{token.text} is the index of a sum around this one",
+            f"{token.text} is already the index of an enclosing sum",
             "Print another letter for one of them.",
             token.start,
         )

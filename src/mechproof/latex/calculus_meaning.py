@@ -139,7 +139,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     if not isinstance(variable, sp.Symbol) or is_given:
         by = meaning.source.latex[node.by.start : node.by.end]
         raise meaning.source.refuse(
-            node.by.start, f"a derivative by {by}, which is given by others or no letter"
+            node.by.start, f"a derivative with respect to {by}, which is not a free letter"
         )
     if not isinstance(printed, sp.MatrixBase):
         printed = meaning.take_number(node.of, printed)
@@ -159,7 +159,7 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
         raise meaning.source.refuse(
             node.of.start,
             "a derivative of a function with kinks or steps is not read",
-            "Say on which side of them it is meant, and print it without them.",
+            "Choose a side of them, and print the function without them.",
         )
     if isinstance(needed, sp.MatrixBase):
         return needed.applyfunc(lambda x: _give_rate(meaning, node, x, variable, depends_on))
@@ -170,7 +170,7 @@ def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
     """Return advice on declaring that the differentiated expression depends on the letter."""
     latex = meaning.source.latex[node.start : node.end]
     if latex.endswith("'"):
-        return "Print the derivatives of what depends on it: u' beside u."
+        return "Print the derivatives of the letters that depend on it: u' next to u."
     letters = [part.text for part in walk(node.of) if isinstance(part, Letter)]
     says = meaning.remedies.depends.format(letters[-1], node.by.text)
     return f"{'' if node.is_partial else f'{says} '}{meaning.remedies.name.format(latex)}"
@@ -185,7 +185,7 @@ def _differentiate_along(
     unsmooth = [*value.atoms(*UNSMOOTH, *OF_SIGNS), *place.atoms(*UNSMOOTH, *OF_SIGNS)]
     if not (isinstance(node.order, int) and value.has(along)) or unsmooth:
         raise meaning.source.refuse(
-            node.start, f"a derivative by {variable} along {along} is not read of this"
+            node.start, f"a derivative with respect to {variable} along {along} is not read here"
         )
     for _ in range(node.order):
         value = sp.diff(value, along) / sp.diff(place, along)
@@ -223,11 +223,11 @@ def _give_any(
     order = meaning.of(printed)
     if not (order.is_integer and order.is_nonnegative) or order.has(variable):
         raise meaning.source.refuse(
-            printed.start, "a derivative whose order is not a whole number", meaning.remedies.name
+            printed.start, "a derivative of an order that is not whole", meaning.remedies.membership
         )
     if depends_on & value.free_symbols != {variable} or value.has(*OF_SIGNS):
         raise meaning.source.refuse(
-            printed.start, f"a derivative of order {order} of what has letters that move, or signs"
+            printed.start, f"a derivative of order {order} with other moving letters, |…| or sgn"
         )
     running = make_running(variable.name, value)
     return NthDerivative(value.xreplace({variable: running}), running, variable, order)
@@ -253,7 +253,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
     moving = meaning.values.get(variable, sp.S.Zero).free_symbols
     if is_inside or any(depends(s, moving, meaning.values) for s in inside.free_symbols):
         raise meaning.source.refuse(
-            node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
+            node.by.start, f"{variable} tends to a limit that contains it, or is defined by others"
         )
     refuse_unknown(meaning, node.start, (inside, "in the limit"), variable)
     return sp.Limit(inside, running, point, node.side)
@@ -265,7 +265,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     if node.is_found and variable in meaning.values:
         raise meaning.source.refuse(
             node.start,
-            f"limits after {variable}, which is given by others: limits of which letter?",
+            f"limits after {variable}, which other letters define: limits of which letter?",
             r"Print the letter: \right|_{x=0}^{x=1}.",
         )
     before = {*meaning.lost}
@@ -335,9 +335,9 @@ def _bind(
     if caught := caught or list_beside(meaning, inside, variable):
         raise meaning.source.refuse(
             place,
-            f"{', '.join(caught)} in the integrand may move with {variable}",
-            "Declare the value of one by the other, or the printed product as a name of "
-            "a variable.",
+            f"{', '.join(caught)} in the integrand may vary with {variable}",
+            "Declare the value of one in terms of the other, or the printed product as the name "
+            "of a variable.",
         )
     return running, inside
 

@@ -55,7 +55,7 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
     arguments = _read_arguments(parser, place)
     if function.make is sp.atan and len(arguments) == 2:
         raise parser.refuse(
-            "an arctangent of two numbers: which of them is above the other?",
+            "an arctangent of two numbers: which of them is the numerator?",
             r"Print \operatorname{atan2}(y,x) for the direction of (x,y).",
             start,
         )
@@ -147,8 +147,8 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     if is_phase or _may_count(parser, inside):
         raise parser.refuse(
             "after the bracket: a factor, or part of the argument?",
-            "Print brackets around the argument, or a dot before a factor; units of the letters "
-            "tell, too.",
+            "Print brackets around the argument, or a dot before a factor; declared units of the "
+            "letters settle it, too.",
         )
     return (bracket,)
 
@@ -290,7 +290,7 @@ def _is_bracketed_matrix(parser: Parser) -> bool:
 
 def _check_bracket(parser: Parser, place: int) -> None:
     r"""Refuse a bracket or fraction after a function with its argument: \sin q(a+b)."""
-    asks = {"(": ("bracket", "the argument of a function"), r"\frac": ("fraction", "part of that")}
+    asks = {"(": ("bracket", "the argument of a function"), r"\frac": ("fraction", "part of it")}
     if parser.text in asks and not (side_conditions.is_bracketed(parser) or _is_apart(parser)):
         what, whose = asks[parser.text]
         printed = parser.source.latex[parser.tokens[place].start : parser.end]
@@ -344,6 +344,6 @@ def _check_reach(parser: Parser) -> None:
         return
     raise parser.refuse(
         "does this belong to the argument of the function before it?",
-        "Print brackets, or a dot before it; a product that is always meant as one can be "
-        "declared as a name of a variable, or by units that make an angle of it.",
+        "Print brackets, or a dot before it; a product that is always one quantity can be "
+        "declared as the name of a variable, or as an angle by its units.",
     )

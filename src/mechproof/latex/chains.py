@@ -61,7 +61,7 @@ def _find_end(parser: Parser, behind: Line | None) -> int:
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
     """Read all chains of a line."""
     if parser.text in (*IF, r"\forall") and not (_skip_membership(parser) and parser.skip(",")):
-        raise parser.refuse("a condition before what it is a condition of", "Print it after that.")
+        raise parser.refuse("a condition before its statement", "Print it after the statement.")
     parts = [ChainPart(_read_chain(parser))]
     while parser.text:
         if parser.skip(",", ";"):
@@ -78,14 +78,14 @@ def _read_line(parser: Parser) -> tuple[Chain, ...]:
 def _refuse_rest(parser: Parser) -> Exception:
     if parser.text == NARROW:
         return parser.refuse(
-            "a blank before a relation: does it part a condition, or factors?",
+            "a blank before a relation: does it separate a condition, or factors?",
             r"Print ,\quad or \text{ for } before a condition, \cdot between factors.",
         )
     if parser.text.startswith(r"\text"):
         remedy = r"A condition is read as a relation: \text{ for }x>0. Leave other words out."
         return parser.refuse(f"{parser.text} is not understood here", remedy)
     if parser.text == r"\in":
-        return parser.refuse("the members of a chain in a set", parser.remedies.membership)
+        return parser.refuse("a chain whose members are in a set", parser.remedies.membership)
     remedy = _LEFT_OVER.get(parser.text, "")
     return parser.refuse(f"{parser.text} is not understood here", remedy)
 
@@ -178,8 +178,8 @@ def _refuse_number_of_equation(parser: Parser, member: Node) -> None:
     is_round = printed.lstrip().startswith("(")
     if is_round and isinstance(member, Bracket) and isinstance(member.inside, Number):
         raise parser.refuse(
-            f"({member.inside.text}): the number, or the equation that has it?",
-            "Print the number without brackets, or leave that of an equation to the text.",
+            f"({member.inside.text}): the number, or the equation with that number?",
+            "Print the number without brackets, or refer to the equation in the text.",
             member.start,
         )
 
@@ -208,7 +208,7 @@ def _refuse_cut(parser: Parser, nodes: Sequence[Node]) -> None:
     for group in parser.groups:
         if any(_cuts(node, *group) for node in found):
             raise parser.refuse(
-                "braces print nothing, but what stands in these is read as parts of other things",
+                "braces print nothing, but these contain only parts of terms",
                 r"Print \left( and \right) around what belongs together, or leave the braces out.",
                 group[0],
             )

@@ -129,7 +129,7 @@ def advise(text: str) -> str:
     if text in _INSTEAD:
         return _INSTEAD[text]
     if unicodedata.combining(text) or _has_accent(text):
-        return r"Print the accent by its command: \dot x."
+        return r"Print the accent with its command: \dot x."
     is_dressed = unicodedata.normalize("NFKC", text)[:1].isalnum()
     return "Print the plain sign, or its command." if is_dressed else ""
 

@@ -76,7 +76,7 @@ def give_dotted(meaning: Meaning, node: Dotted) -> sp.Expr:
             node.start,
             "which terms do the dots stand for?",
             rf"Print {command}_{{k=1}}^{{n}}, or two terms before the dots that the last one gives "
-            "for whole numbers, its letter declared as one.",
+            "for whole numbers; declare its letter as a whole number.",
         )
     ((count, low, used),) = runs
     index = _choose_index([*first, last], starts_at_zero=low == 0)

@@ -28,7 +28,7 @@ def read_environment(parser: Parser) -> Node:
     if kind in _CASES and not (kind == _BRACED and _is_matrix(parser)):
         return read_cases(parser, parser.take().start)
     if kind not in (*MATRICES, _BRACED):
-        raise parser.refuse(f"{kind} is none of {', '.join((*MATRICES, *_CASES))}", place=start)
+        raise parser.refuse(f"{kind} is not one of {', '.join((*MATRICES, *_CASES))}", place=start)
     table = _read_table(parser, kind)
     if kind == "vmatrix":
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
@@ -55,7 +55,7 @@ def _read_table(parser: Parser, kind: str) -> Table:
             raise parser.refuse("a matrix is continued in an unknown way")
     parser.depth -= 1
     if len({len(row) for row in rows}) != 1:
-        raise parser.refuse("the rows of a matrix are not equally long", place=start)
+        raise parser.refuse("the rows of a matrix differ in length", place=start)
     return Table(tuple(rows), start=start, end=parser.end)
 
 
@@ -64,11 +64,11 @@ def _read_entry(parser: Parser) -> Node:
     if parser.text in _DOTS or [token.text for token in parser.rest[:2]] == [".", "."]:
         raise parser.refuse(
             "dots for entries of a matrix, whose number is not given",
-            "Print all entries, for a certain number of them.",
+            "Print all entries of a matrix of a certain size.",
         )
     if parser.text in ("&", r"\\") or parser.text.startswith(r"\end{"):
         raise parser.refuse(
-            "an entry of a matrix that is empty: a zero, or left out?", "Print 0 where it is zero."
+            "an empty entry of a matrix: a zero, or left out?", "Print 0 where it is zero."
         )
     if not _is_list(parser):
         return parser.read_sum()

@@ -49,7 +49,7 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     """Return the rows of a print, one for each relation sign; a typed row unchanged."""
     if row.says is not None:
         if row.corrected and row.corrected.says is None:
-            raise ValueError(f"row {row.number!r}: it is typed, so its correction needs its `says`")
+            raise ValueError(f"row {row.number!r}: it is typed, so its correction needs a `says`")
         return (row,)
     upper = _read_signs(row, reader, 1)
     signs = {*list_signs(row.printed_latex)}
@@ -81,7 +81,7 @@ def _join_signs(upper: Row, lower: Row, remedies: Remedies) -> Row:
         error = PrintedText(latex).refuse(
             place,
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
-            f"It says two equations: print one after the other{remedies.sign}.",
+            f"It stands for two equations: print them one by one{remedies.sign}.",
         )
         error.row = upper.number
         raise error
@@ -111,7 +111,7 @@ def _read_signs(row: Row, reader: Reader, upper: int) -> tuple[Row, ...]:
     if any(not chain.relations for chain in read.chains):
         raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
     if surplus := sorted(row.links.keys() - set(range(1, len(places) + 1))):
-        raise ValueError(f"row {row.number!r}: it has {len(places)} signs, not {surplus}")
+        raise ValueError(f"row {row.number!r}: it has {len(places)} signs, but links for {surplus}")
     only_equal = all(place.sign == "=" for place in places)
     return tuple(
         _expand(_specialise(row, number), place, _number(row, number, len(places), only_equal))
@@ -218,14 +218,14 @@ def _find_unused(place: _Place) -> Iterator[str]:
         if isinstance(part, Repeated):
             letters = {p.symbol for p in walk(part.term) if isinstance(p, Letter)}
             if part.index.symbol not in letters:
-                yield f"The index {part.index.symbol} of a {part.name} is not in its term."
+                yield f"The index {part.index.symbol} of a {part.name} does not appear in its term."
 
 
 def _find_needed(says: Statement) -> Iterator[str]:
     """Yield a note for each factor that must be defined at the first n, although it cancels."""
     for part in says.parts if isinstance(says, Conjunction) else ():
         for node in part.printed.atoms(ValueWhere) if isinstance(part, Equality) else ():
-            yield f"For the first number {node.args[1]} must have a value."
+            yield f"For the first number, {node.args[1]} must have a value."
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:
@@ -244,7 +244,7 @@ def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
     """Refuse a correction with a condition that is not the print's, under which it is judged."""
     if chain.condition not in (None, place.chain.condition):
         raise ValueError(
-            f"row {row.number!r}: its correction has a condition of its own: say it in `on`"
+            f"row {row.number!r}: its correction has its own condition: state it in `on`"
         )
 
 
@@ -257,7 +257,7 @@ def _refuse_other_quantity(row: Row, place: _Place, right: _Place) -> None:
     own, other = corrected[kept[0]], corrected[1 - kept[0]]
     returns = own.is_Symbol and own in other.free_symbols - printed[1 - kept[0]].free_symbols
     if own == other or returns:
-        raise ValueError(f"row {row.number!r}: its correction says of {own} what it is: {other}")
+        raise ValueError(f"row {row.number!r}: its correction only says that {own} is {other}")
 
 
 def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:

@@ -43,8 +43,8 @@ def read_extremum(parser: Parser) -> Node:
     is_whole = begins_member(parser, place) and parser.text not in ("+", "-", ")", "]", "}")
     if not is_whole or (place and parser.tokens[place - 1].text in ("+", "-")):
         raise parser.refuse(
-            f"\\{name} is read alone on its side of an equation",
-            "Print brackets around all that it is taken of.",
+            f"\\{name} must be alone on its side of an equation",
+            "Print brackets around its whole argument.",
             start,
         )
     return Extremum(term, by, name, start=start, end=parser.end)
@@ -54,8 +54,8 @@ def _read_letter(parser: Parser, name: str) -> Letter:
     by = parser.read_atom()
     if not isinstance(by, Letter) or by.indices or parser.text != "}":
         raise parser.refuse(
-            f"only one letter is read below \\{name}",
-            "Say its range in the block of letters, where it is declared: {0<x<1}",
+            f"only one letter may be below \\{name}",
+            "Give its range in the block of letters, where it is declared: {0<x<1}",
             by.start,
         )
     return by
@@ -65,7 +65,7 @@ def give_term(meaning: Meaning, node: Extremum) -> Any:
     """Return the expression whose extremum is meant."""
     by = meaning.letter(node.by)
     if by in meaning.values:
-        raise meaning.source.refuse(node.by.start, f"{node.by.text} is given by others")
+        raise meaning.source.refuse(node.by.start, f"{node.by.text} is defined by other letters")
     term = meaning.of(node.term)
     refuse_unknown(meaning, node.start, (term, f"in the {node.name}imum"), by)
     return term

@@ -193,7 +193,7 @@ def _read_bound(parser: Parser, match: Match | None) -> Node:
     token = parser.take()
     if match:
         raise parser.refuse(
-            f"{token.text} is bound here and declared as {match.name.symbol}",
+            f"{token.text} is bound here, but also declared as {match.name.symbol}",
             parser.remedies.scope.format(token.text),
             start,
         )
@@ -226,7 +226,7 @@ def _read_name(parser: Parser, match: Match) -> Node:
     is_factor |= "quad" in gap and side_conditions.is_bracketed(parser)
     if other and not is_rate and not is_factor:
         raise parser.refuse(
-            f"{other.latex} is a declared name, this is another: an argument or a factor?",
+            f"{other.latex} is declared, but this bracket differs: an argument or a factor?",
             parser.remedies.bracket.format(latex),
         )
     return letter

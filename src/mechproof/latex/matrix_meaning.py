@@ -24,14 +24,14 @@ from mechproof.record.substitution import substitute
 if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
-ENTRIES = r"Print it for the entries, or \det for a determinant, the root of squares for a length."
+ENTRIES = r"Print the entries, \det for a determinant, or the root of the squares for a length."
 _CROSS, _DOT = r"\times", r"\cdot"
 
 
 # Reasons why a product is unclear, and what to print instead.
 _SIDE_BY_SIDE = (
-    "vectors and matrices side by side: which product is meant, which is taken first?",
-    "Print brackets around a product of two vectors, T at one that is a row.",
+    "adjacent vectors and matrices: which product is meant, and which comes first?",
+    "Print brackets around a product of two vectors, and T on a row vector.",
 )
 _NUMBER_BY_VECTOR = (
     "a cross between a number and a vector: a cross product, or a multiple?",
@@ -72,7 +72,7 @@ def _fill(entry: Any, height: int, width: int) -> sp.Matrix:
     if is_matrix(entry):
         return sp.Matrix(entry)
     if entry != 0 and (height, width) != (1, 1):
-        raise ValueError("a number in the place of a block")
+        raise ValueError("a number in place of a block")
     return sp.Matrix(height, width, [entry] * (height * width))
 
 
@@ -85,7 +85,7 @@ def cut(matrix: Any, ranges: Sequence[tuple[int, int] | None]) -> Any:
     if len(ranges) == 1 and shown.shape[1] == 1:
         ranges = (*ranges, None)
     if len(ranges) != 2:
-        raise ValueError("a matrix has rows and columns")
+        raise ValueError("a matrix needs both rows and columns")
     slices = []
     for size, limits in zip(shown.shape, ranges, strict=True):
         first, last = limits or (1, size)
@@ -118,7 +118,7 @@ def give_excerpt(meaning: Meaning, node: Excerpt) -> Any:
         raise meaning.source.refuse(
             node.start,
             f"rows and columns that this matrix does not have: {error}",
-            "They count from 1 to the last one that is named, [1:3, 4].",
+            "They count from 1, and the last one is included: [1:3, 4].",
         ) from error
 
 
@@ -225,7 +225,7 @@ def give_inner_product(one: Any, other: Any) -> sp.Expr:
     """Return the inner product; raises `ValueError` unless both are vectors of the same size."""
     shown = [show_entries(value) for value in (one, other) if is_vector(value)]
     if len(shown) != 2 or len(shown[0]) != len(shown[1]):
-        raise ValueError("an inner product needs two vectors of one size")
+        raise ValueError("an inner product needs two vectors of the same size")
     return shown[0].dot(shown[1])
 
 

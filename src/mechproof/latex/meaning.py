@@ -141,7 +141,7 @@ class Meaning:
         members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
             raise self.source.refuse(
-                chain.members[0].start, "matrices are not put in order", matrix_meaning.ENTRIES
+                chain.members[0].start, "matrices cannot be ordered", matrix_meaning.ENTRIES
             )
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
@@ -205,14 +205,14 @@ class Meaning:
             return matrix_meaning.invert(base)
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
-                node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
+                node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not evaluated"
             )
         if base == 0 and exponent == 0:
             raise self.source.refuse(node.start, "zero to the power of zero has no value")
         if isinstance(base, sp.Rational) and isinstance(exponent, sp.Rational):
             bits = max(abs(base.p), base.q).bit_length() * abs(exponent)
             if bits > LARGEST_POWER_BITS:
-                raise self.source.refuse(node.start, "a power of so many digits is not worked out")
+                raise self.source.refuse(node.start, "a power with so many digits is not evaluated")
         power = base**exponent
         if exponent == 0 or exponent.could_extract_minus_sign():
             self._divide_by(base)

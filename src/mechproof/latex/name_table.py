@@ -148,7 +148,7 @@ def build_names(variables: Sequence[Variable], notation: Notation, row: str = ""
             if other.symbol != variable.symbol and signs not in scoped:
                 raise ValueError(
                     f"{latex} is printed for {other.symbol} and for {variable.symbol}: "
-                    "say in Notation.scopes in which rows it is which"
+                    "state the rows of each in Notation.scopes"
                 )
     return Names([*names.values(), *(n for s, n in declared.items() if s not in scoped)])
 
@@ -161,5 +161,5 @@ def to_signs(latex: str, is_family: bool = False) -> tuple[str, ...]:
     except ReadingError as error:
         raise ValueError(f"the name {latex}: {error.reason}") from error
     if not signs:
-        raise ValueError("a name is printed as nothing")
+        raise ValueError("the LaTeX of a name is empty")
     return (*signs, "_", "{", INDEX, "}") if is_family and INDEX not in signs else signs

@@ -270,7 +270,7 @@ class Parser:
         below = self.read_factor()
         if not self.ends_product() and self.text not in DOTS:
             raise self.refuse(
-                "a slash is followed by several factors: are all of them below it?",
+                "a slash is followed by several factors: are all of them in the denominator?",
                 r"Print \frac{…}{…}, or brackets.",
                 slash.start,
             )

@@ -125,7 +125,7 @@ def _read_values(parser: Parser, term: Node) -> Node:
     while True:
         by = parser.read_atom()
         if not isinstance(by, Letter) or by.indices:
-            raise parser.refuse("a place is given by a letter: x=0", place=by.start)
+            raise parser.refuse("a place is given as the value of a letter: x=0", place=by.start)
         parser.take("=")
         point = parser.read_sum()
         if not parser.skip(","):

@@ -66,7 +66,7 @@ def read_derivative(parser: Parser) -> tree.Node:
     steps = parser.read_inside("{", lambda: _read_below(parser), "}")
     orders = [own for _, own in steps]
     if orders != [order] and order != sum(own for own in orders if isinstance(own, int)):
-        raise parser.refuse("a derivative of two orders", place=start)
+        raise parser.refuse("a derivative with two orders", place=start)
     if operand is None:
         operand = parser.read_factor()
         # For a letter, the power comes first; for a bracket, the power of its derivative may be
@@ -118,7 +118,7 @@ def _read_below(parser: Parser) -> list[tuple[tree.Letter, int | tree.Node]]:
             order = _read_order(by.exponent, parser)
             by = by.base
         if not isinstance(by, tree.Letter):
-            raise parser.refuse("a derivative by no letter", place=start)
+            raise parser.refuse("a derivative with respect to no letter", place=start)
         steps.append((by, order))
     return steps
 
@@ -236,7 +236,7 @@ def read_limit(parser: Parser) -> tree.Node:
     r"""Read \lim_{x\to a}, from one side if a^+, a+0, a- and the like say so."""
     start = parser.take().start
     if parser.text != "_":
-        raise parser.refuse("a limit of what?", r"Print \lim_{x\to a}.")
+        raise parser.refuse("a limit as which letter tends to what?", r"Print \lim_{x\to a}.")
     parser.take("_")
     by, point, side = parser.read_inside("{", lambda: _read_way(parser), "}")
     term = parser.read_product()
@@ -246,7 +246,7 @@ def read_limit(parser: Parser) -> tree.Node:
 def _read_way(parser: Parser) -> tuple[tree.Letter, tree.Node, str]:
     by = parser.read_atom()
     if not isinstance(by, tree.Letter) or by.indices:
-        raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
+        raise parser.refuse("a limit needs one letter that tends to it", r"Print \lim_{x\to a}.")
     parser.take(r"\to")
     start, side = parser.start, _take_side(parser)
     # After +0 and -0 lose their sign, nothing or a zero remains.
@@ -305,8 +305,8 @@ def _make_binomial(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
         return (-1) ** part * _make_binomial(part - whole - 1, part)
     if whole.is_number and not whole.is_integer:
         raise MeaningError(
-            rf"\binom of {whole} is read over numbers from 0 to {_MOST_FACTORS}: print its product "
-            "over others, or its gamma functions"
+            rf"\binom of {whole} is read only over numbers from 0 to {_MOST_FACTORS}: over others, "
+            "print its product or its gamma functions"
         )
     above, *below = map(_make_factorial, (whole, part, whole - part))
     return above / sp.Mul(*below)
@@ -318,14 +318,14 @@ def _make_double_factorial(argument: sp.Expr) -> sp.Expr:
         if half.is_integer:
             product = 2**half * _make_factorial(half)
             return product if 2 * half == argument else _make_factorial(2 * half) / product
-    raise MeaningError(f"a factorial of what? {argument} may be even or odd")
+    raise MeaningError(f"a double factorial: is {argument} even or odd?")
 
 
 def _make_factorial(argument: sp.Expr) -> sp.Expr:
     """Return a factorial; raises `MeaningError` unless the argument counts and is not too large."""
     if argument.is_number and not 0 <= argument <= LARGEST_FACTORIAL:
-        below = f"is read of whole numbers from 0 to {LARGEST_FACTORIAL}"
-        raise MeaningError(f"a factorial {below}, and this is that of {argument}")
+        allowed = f"only for whole numbers from 0 to {LARGEST_FACTORIAL}"
+        raise MeaningError(f"a factorial is read {allowed}, not for {argument}")
     if not argument.is_integer:
         raise MeaningError(
             f"a factorial of something that is not a whole number, {argument}: "

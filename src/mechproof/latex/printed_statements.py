@@ -94,7 +94,7 @@ def _state_power(row: Row, sign: str, members: Members, reader: Reader) -> State
     stated = state_power(sides, free) if sign == "=" and not has_values else None
     if stated is None:
         raise ValueError(
-            f"row {row.number!r}: a power of a matrix to a whole number stands alone on one side, "
+            f"row {row.number!r}: a matrix power to a whole number must be alone on one side, "
             "with its value for all numbers on the other"
         )
     return stated
@@ -113,7 +113,7 @@ def _state_extremum(row: Row, sign: str, members: Members, reader: Reader) -> St
     stated = state_extremum(node, sides, reader.values, within)
     if stated is None:
         raise ValueError(
-            f"row {row.number!r}: no stationary point or end is found where it is {sides[1]}"
+            f"row {row.number!r}: no stationary point or end was found where it is {sides[1]}"
         )
     return stated
 
@@ -165,7 +165,7 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if sign == r"\ne" and isinstance(left, sp.MatrixBase):
         return Distinct(left, right)
     if matrices:
-        raise ValueError(f"row {row.number!r}: matrices are not put in order by {sign}")
+        raise ValueError(f"row {row.number!r}: matrices cannot be ordered by {sign}")
     return Holds(RELATIONS[sign](left, right, evaluate=False))
 
 
@@ -186,8 +186,8 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
         stated = PrintedNumber(number, ratio) if is_number else None
     if stated is None:
         raise ValueError(
-            f"row {row.number!r}: an approximation is judged only if it is a number, "
-            r"at the right of \approx"
+            f"row {row.number!r}: an approximation is judged only if the right side "
+            r"of \approx is a number"
         )
     return stated
 
@@ -258,8 +258,8 @@ def _refuse_unknown_entries(row: Row, *sides: Any) -> None:
 
 def _tell_unknown(row: Row, symbol: sp.Basic) -> ValueError:
     return ValueError(
-        f"row {row.number!r}: nothing is known of {symbol}: say what our mechanics give "
-        "for it (`derived`), or that the print introduces it (`defines`)"
+        f"row {row.number!r}: nothing is known about {symbol}: give its value by our "
+        "mechanics (`derived`), or mark it as introduced by the print (`defines`)"
     )
 
 

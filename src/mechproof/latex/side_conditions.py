@@ -166,7 +166,7 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
         elif part.said or _narrows(parser, statements, conditions, part.chain):
             if not part.chain.relations:
                 raise parser.refuse(
-                    "a gap before what is no relation: a factor, or a second print?",
+                    "a gap, but no relation after it: a factor, or a second print?",
                     r"Print \cdot before a factor, a comma between prints.",
                     part.chain.start,
                 )
@@ -245,7 +245,7 @@ def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> N
     outer = any(_has_letter(one) for one in (last.members[0], chain.members[-1]))
     if inner and not outer and any(set(signs) <= set(way) for way in (_UP, _DOWN)):
         raise parser.refuse(
-            "letters between two bounds: both bounds for each of them?",
+            "letters between two bounds: do both bounds hold for each of them?",
             "Print 0<x<1,\\ 0<y<1, or x>0,\\ y<1.",
             last.start,
         )

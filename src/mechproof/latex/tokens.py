@@ -64,7 +64,7 @@ class _Normaliser:
     def read_all(self) -> list[Token]:
         signs = self._read_until("")
         if self.place < len(self.raw):
-            raise self._refuse("a brace is closed that was not opened")
+            raise self._refuse("a closing brace without an opening one")
         return signs
 
     def _refuse(self, reason: str, remedy: str = "") -> Exception:
@@ -132,7 +132,7 @@ class _Normaliser:
         first = min(signs[0].start for signs in found.values())
         behind = self._peek()
         if behind != "}" and not left_scripts.may_begin(behind):
-            raise self.source.refuse(first, f"nothing stands before this {next(iter(found))}")
+            raise self.source.refuse(first, f"nothing precedes this {next(iter(found))}")
         return [Token(LEFT, start, start), *found.get("^", []), *found.get("_", [])]
 
     def _read_item(self) -> list[Token]:
@@ -146,7 +146,7 @@ class _Normaliser:
                 self.groups.append((min(t.start for t in inner), max(t.end for t in inner)))
             return inner
         if first.text in ("_", "^"):
-            raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
+            raise self.source.refuse(first.start, f"nothing precedes this {first.text}")
         if first.text == r"\num":
             return self._read_number()
         if first.text in printed_commands.MARKS:

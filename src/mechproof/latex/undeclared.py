@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 # Letters that readers interpret differently when they have no index.
 UNSURE = {
     "e": r"Print \mathrm{e} for Euler's number. Otherwise:",
-    "i": "The imaginary unit is not read. Otherwise, as for a ratio:",
+    "i": "The imaginary unit is not read. If it is a letter, such as a ratio:",
     "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
 # Signs that form one quantity with the next letter, or a product with it.
@@ -37,12 +37,12 @@ _BETWEEN = ("+", "-", *_FACTORS)
 # Units that, after a number, may just as well be letters.
 _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
-    **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
+    **dict.fromkeys((r"\pm", r"\mp"), "It stands for two equations: print them one by one."),
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
-    r"\partial": r"Print \frac{\partial …}{\partial x}, x a letter.",
-    r"\nabla": "A derivative needs a name of its own.",
-    r"\propto": "Print an equation with the factor.",
-    r"\leftarrow": "Leave out what an arrow points at.",
+    r"\partial": r"Print \frac{\partial …}{\partial x} with a letter x.",
+    r"\nabla": "Give the derivative a name of its own.",
+    r"\propto": "Print an equation with the factor of proportionality.",
+    r"\leftarrow": "Leave out the arrow and what it points at.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
@@ -65,7 +65,7 @@ def read_undeclared(parser: Parser) -> Node:
     if not text:
         raise parser.refuse("the print ends, but something must follow")
     if text == r"\dots":
-        raise parser.refuse("dots for what was printed before", "Enter the chain as a whole.")
+        raise parser.refuse("dots in place of an earlier print", "Enter the whole chain.")
     if text[1:] in AMBIGUOUS:
         raise parser.refuse(
             f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be stated",
@@ -84,7 +84,7 @@ def read_undeclared(parser: Parser) -> Node:
         return _read_running(parser)
     printed = printed_name(parser, parser.place)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
-    near = f" (declared are {', '.join(begun[:4])})" if begun else ""
+    near = f" (declared: {', '.join(begun[:4])})" if begun else ""
     hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "") or _advise_rate(parser)
     index = _find_running_index(parser, parser.place, find_end(parser.tokens, parser.place))
     name = parser.remedies.family if index else parser.remedies.name
@@ -169,8 +169,8 @@ def _read_running(parser: Parser) -> Letter:
     letter = _read_plain(parser)
     if other := parser.names.find_alike(letter.symbol):
         raise parser.refuse(
-            f"{letter.text} would be taken for {other}, which has its name",
-            "Print another letter for what is bound.",
+            f"{letter.text} would be confused with {other}, which has the same name",
+            "Print another letter for the bound variable.",
             letter.start,
         )
     parser.integrals[-1].running.append(letter)
@@ -192,8 +192,8 @@ def _refuse_expression(parser: Parser, texts: list[str]) -> None:
     """Refuse a letter whose index contains a relation, or whose accent spans more than a name."""
     if not {"=", "<", ">", r"\le", r"\ge"}.isdisjoint(texts):
         raise parser.refuse(
-            "an index with a relation in it: a sum, or a value at a place?",
-            r"Print \sum for a sum, a value at a place with brackets or as a letter of its own.",
+            "a relation in an index: a sum, or a value at a place?",
+            r"Print \sum for a sum, a value at a place with brackets or as a separate letter.",
         )
     first = next((n for n, text in enumerate(texts) if text in ACCENTS), len(texts))
     inside = texts[first + 2 : texts.index("}", first)] if first < len(texts) else []

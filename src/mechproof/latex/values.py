@@ -82,7 +82,7 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
         if not hidden:
             return split_tangents(expression, changed.values()).xreplace(dict(changed))
         expression = expression.xreplace(hidden)
-    raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
+    raise ValueError(f"symbols are defined in terms of each other: {sorted(map(str, hidden))}")
 
 
 def list_steps(by: sp.Basic, moving: Moving) -> Iterator[tuple[tuple[sp.Basic, ...], sp.Basic]]:
@@ -141,11 +141,11 @@ def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.B
     """Refuse a term with a letter that depends on another but has no value."""
     term, where = said
     if unknown := _list_unknown(meaning, term, list_moving(by, meaning.moving)):
-        told = "depends on {}, and is" if len(unknown) == 1 else "depend on {}, and are"
+        told = "depends on {}, but is" if len(unknown) == 1 else "depend on {}, but are"
         raise meaning.source.refuse(
             place,
             f"{', '.join(unknown)} {where} {told.format(by)} not printed",
-            "Say in the block of letters what it is, let name=value, or that it is constant.",
+            "Declare in the block of letters its value, let name=value, or that it is constant.",
         )
 
 
