@@ -147,7 +147,7 @@ def test_what_is_no_constraint_gives_nothing() -> None:
 
 @pytest.mark.parametrize("said", ["follows (3)", "follows (3):", "follows : (1)"])
 def test_a_line_without_equations_is_refused(said: str) -> None:
-    with pytest.raises(ValueError, match=r"follows|the number or the label"):
+    with pytest.raises(ValueError, match=r"follows|the number or label"):
         judge("N_2a=Wa", BLOCK.replace("follows (3): bal, (2)", said))
 
 

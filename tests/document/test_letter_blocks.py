@@ -47,7 +47,7 @@ def test_a_print_means_another_letter_in_a_range_of_equations() -> None:
 
 
 def test_the_derivative_of_a_matrix_has_a_line_of_its_own() -> None:
-    with pytest.raises(BlockError, match=r"its own, .dot q 2x1"):
+    with pytest.raises(BlockError, match=r"its own line, .dot q 2x1"):
         outcomes(r"x=2y", block="%% q 2x1 (t) : angles\n")
     block = "%% q 2x1 : angles\n%% \\dot q 2x1 : rates\n%% v 2x1 : speeds\n"
     assert outcomes(r"v=A_r\dot q", block=block) == ["DEFINITION"]
@@ -78,7 +78,7 @@ def test_labels_may_name_the_ends_of_a_range() -> None:
 FAULTY = {
     r"x^{{2} | x_0 : length": "",
     r"\dot{\text}{u} : speed": r"the name \dot{\text}{u}: a { is missing here; it is left out",
-    r"u | x(y) ; x(y)(t) : speed": "the name x(y) is that of u, too; it is left out",
+    r"u | x(y) ; x(y)(t) : speed": "the name x(y) is also that of u; it is left out",
 }
 
 
@@ -189,17 +189,17 @@ def test_a_unit_that_is_not_known_is_told_and_counts_as_none() -> None:
     found = check("paper.tex", block + r"\[a=2b+c\] \[\sqrt{c^2}=c^2\]")
     assert [row.outcome for row in found.rows] == ["DEFINITION", "ILL_FORMED"]
     assert [reason for _, reason in found.told] == [
-        f"the unit 'furlong' of [furlong] is not known; {name} is taken to have none"
+        f"the unit 'furlong' of [furlong] is not known; {name} is taken to have no unit"
         for name in "ab"
     ]
 
 
 FAULTS = {
-    "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
-    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",
-    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, no condition: say constraint \(…\)",
+    "factor x ; factor y": "a line has one word: 'factor y' needs its own line",
+    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs its own line",
+    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, not a condition: declare its display",
     r"let x=\begin{pmatrix}r\\r\end{pmatrix}": "it is a matrix, so declare its size: x 2x1",
-    "where x=y": "x=y is a value, no condition: say let x=y",
+    "where x=y": "x=y is a value, not a condition: declare let x=y",
 }
 
 
@@ -210,9 +210,9 @@ def test_a_line_that_says_what_it_cannot_is_refused(line: str) -> None:
 
 
 ADVICE = {
-    r"\dot x=2r": "If it is a derivative, say what x depends on: x(t) : its meaning. Otherwise: ",
-    r"\ddot x_1=2r": "If it is a derivative, say what x_1 depends on: x_1(t) : its meaning. ",
-    "x=2r'": "If it is a derivative, say what r depends on: r(…) : its meaning. Otherwise: ",
+    r"\dot x=2r": "If it is a derivative, declare what x depends on: x(t) : its meaning. ",
+    r"\ddot x_1=2r": "If it is a derivative, declare what x_1 depends on: x_1(t) : its meaning. ",
+    "x=2r'": "If it is a derivative, declare what r depends on: r(…) : its meaning. Otherwise: ",
     r"\frac{dx}{dr}=2r": "If x depends on r, say so in the block of letters: x(r) : its meaning. ",
     # These depend on another letter, or are not declared as letters.
     r"\dot u=2r": r"Declare it in the block of letters: \dot u : its meaning",

@@ -185,7 +185,7 @@ def _read_letters(line: str) -> list[Declared]:
         if moved := _MOVED.search(text):
             raise ValueError(
                 f"a matrix that depends on {moved['by']}: leave ({moved['by']}) out, and declare "
-                f"its derivative in a line of its own, \\dot {moved['name']} {moved['shape']}"
+                f"its derivative on its own line, \\dot {moved['name']} {moved['shape']}"
             )
         # The shape of the last letter applies to all letters of the line without a shape of their
         # own.
@@ -250,7 +250,7 @@ def _add(name: str) -> Callable[[Block, str], None]:
         parts = _split(rest)
         for part in parts:
             if part.partition(" ")[0] in (*_WORDS, *_TOLD, _CLAIM):
-                raise ValueError(f"a line has one word: {part!r} needs a line of its own")
+                raise ValueError(f"a line has one word: {part!r} needs its own line")
         getattr(block, name).extend(parts)
 
     return enter
@@ -266,7 +266,7 @@ def _refer(name: str) -> Callable[[Block, str], None]:
 def _find_references(rest: str) -> list[str]:
     found = _REFERENCES.findall(rest)
     if not found:
-        raise ValueError("the number or the label of an equation is needed: (4)")
+        raise ValueError("give the number or label of an equation: (4)")
     return found
 
 
@@ -281,7 +281,7 @@ def _branch(block: Block, rest: str) -> None:
 def _modulo(block: Block, rest: str) -> None:
     found = _MODULO.match(rest)
     if found is None:
-        raise ValueError(r"say modulo 2\pi (5)")
+        raise ValueError(r"write modulo 2\pi (5)")
     block.modulo |= dict.fromkeys(_find_references(found[2]), found[1])
 
 
@@ -296,7 +296,7 @@ def _follow(block: Block, equations: list[str], others: str) -> None:
 def _function(block: Block, rest: str) -> None:
     pairs = _read_pairs(rest)
     if not pairs:
-        raise ValueError(r"say which function a print is: function \tan^{-1} is \arctan")
+        raise ValueError(r"state which function the print is: function \tan^{-1} is \arctan")
     block.functions |= pairs
 
 
@@ -316,7 +316,7 @@ def _scope(block: Block, equations: list[str], said: str) -> None:
 def _imaginary(block: Block, rest: str) -> None:
     letter = rest.removeprefix(r"\mathrm{").removesuffix("}")
     if not (len(letter) == 1 and letter.isalpha()):
-        raise ValueError("say which letter is the imaginary unit: imaginary j")
+        raise ValueError("name the imaginary unit: imaginary j")
     block.imaginary = rest
 
 
@@ -335,10 +335,10 @@ _WORDS: dict[str, Callable[[Block, str], None]] = {
     "identity": _refer("identities"),
     "modulo": _modulo,
 }
-_SAY_WHICH = "say which print is which declared letter: in (8)-(13): A is A_r"
+_SAY_WHICH = "state which declared letter each print is: in (8)-(13): A is A_r"
 # Words whose equations are followed by a colon, and the remedy if it is missing.
 _TOLD: dict[str, tuple[Callable[[Block, list[str], str], None], str]] = {
-    "follows": (_follow, "say from which equations: follows (5): (3), (4)"),
-    "skip": (_skip, "say why: skip (3): reason"),
+    "follows": (_follow, "name the equations it follows from: follows (5): (3), (4)"),
+    "skip": (_skip, "give the reason: skip (3): reason"),
     "in": (_scope, _SAY_WHICH),
 }

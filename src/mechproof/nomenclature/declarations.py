@@ -123,7 +123,7 @@ def _leave_units(
             read_unit(letter.unit or "")
             found.append(letter)
         except UnitError as error:
-            faults.append((letter.place, f"{error}; {letter.names[0]} is taken to have none"))
+            faults.append((letter.place, f"{error}; {letter.names[0]} is taken to have no unit"))
             found.append(replace(letter, unit=None))
     return found, faults
 

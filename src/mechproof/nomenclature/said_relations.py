@@ -50,10 +50,10 @@ def _advise(equation: sp.Equality) -> str:
     """Return advice for an equation that is given as a condition."""
     said = f"{equation.lhs}={equation.rhs}".replace("**", "^")
     if equation.lhs.is_Symbol:
-        return f"{said} is a value, no condition: say let {said}"
+        return f"{said} is a value, not a condition: declare let {said}"
     return (
-        f"{said} is an equation, no condition: say constraint (…) of the display that prints it, "
-        "or let for the value of one of its letters"
+        f"{said} is an equation, not a condition: declare its display as constraint (…), "
+        "or the value of one of its letters by let"
     )
 
 

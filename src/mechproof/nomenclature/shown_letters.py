@@ -25,15 +25,14 @@ from mechproof.record import Notation, Variable
 T = TypeVar("T")
 REMEDIES = Remedies(
     name="Declare it in the block of letters: {0} : its meaning",
-    bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
-    "letter.",
-    function=r"Say in the block of letters which function it is: function \{0} is …",
+    bracket="Declare in the block of letters: factor {0}, or the whole print, {0}(…), as a letter.",
+    function=r"State in the block of letters which function it is: function \{0} is …",
     scope="Print another letter for '{0}' where it is bound.",
-    lower_limit="Say in the block of letters: from 0, or where else it starts.",
+    lower_limit="State in the block of letters: from 0, or wherever it starts.",
     family="Declare a family in the block of letters: {0} ({1}) : its meaning",
-    membership="Say in the block of letters natural or integer for a letter that counts; "
-    "an interval is printed as a relation, 0<x<1.",
-    rate="If it is a derivative, say what {0} depends on: {0}({1}) : its meaning. Otherwise:",
+    membership="Declare a letter that counts in the block of letters, natural or integer; "
+    "print an interval as a relation, 0<x<1.",
+    rate="If it is a derivative, declare what {0} depends on: {0}({1}) : its meaning. Otherwise:",
     sign=r", or declare a letter that is 1 or -1 in the block of letters, branch \sigma=\pm1",
     depends="If {0} depends on {1}, say so in the block of letters: {0}({1}) : its meaning. "
     "Otherwise:",

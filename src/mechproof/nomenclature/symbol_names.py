@@ -97,8 +97,8 @@ def say_rate(
     if letter.unit is not None:
         unit = read_unit(letter.unit)
         if rate.symbol in scales and unit.dimension != rate.dimension:
-            reason = f"{letter.names[0]} is the {rate.meaning}: it has another unit"
-            raise ValueError(f"{reason} than [{letter.unit}]")
+            reason = f"{letter.names[0]} is the {rate.meaning}: its unit cannot be"
+            raise ValueError(f"{reason} [{letter.unit}]")
         scales[rate.symbol] = unit.scale
     latex = tuple(dict.fromkeys((*rate.latex, *letter.names)))
     meaning = letter.meaning.partition("; ")[0] or rate.meaning
@@ -124,7 +124,7 @@ def refuse_twins(
             one, two = other.latex[0], variable.latex[0]
             same = "is declared twice" if one == two else f"and {two} are too similar"
             with blame(variable):
-                raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+                raise ValueError(f"{one} {same}: print another letter, or declare them as one: |")
 
 
 def leave_names(
@@ -140,7 +140,7 @@ def leave_names(
                 signs = to_signs(latex, isinstance(v.symbol, sp.IndexedBase))
                 other = met.setdefault(signs, v)
                 is_own = other.symbol == v.symbol
-                reason = "" if is_own else f"the name {latex} is that of {other.latex[0]}, too"
+                reason = "" if is_own else f"the name {latex} is also that of {other.latex[0]}"
             except ValueError as error:
                 reason = str(error)
             kept += [] if reason else [latex]
