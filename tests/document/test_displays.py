@@ -283,7 +283,7 @@ def test_what_a_display_cites_is_no_part_of_it() -> None:
     ],
 )
 def test_what_is_opened_and_has_no_end_is_told(text: str, expected: list[tuple[str, bool]]) -> None:
-    found = [(one.latex.string, "no end" in one.fault) for one in find(text)]
+    found = [(one.latex.string, "never closed" in one.fault) for one in find(text)]
     assert found == expected
 
 

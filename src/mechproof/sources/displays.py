@@ -36,7 +36,7 @@ _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
 # Told to users: which equations are looked for in a text.
 EXPECTED = (
     r"equations are displays, \begin{equation}…\end{equation} and the like (align, gather, "
-    r"multline, IEEEeqnarray), \[…\] or $$…$$, and not between single $"
+    r"multline, IEEEeqnarray), \[…\] or $$…$$, not formulas between single $"
 )
 _EVENT = re.compile(
     rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>(?:(?!\\begin\{{(?:{_NAMES})\}}).)*?)"
@@ -167,7 +167,7 @@ def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int)
     """Return the first line of a display that has no end, with that fault."""
     rest = text[match.start("rest") : match.end()].strip()
     latex = rest if len(rest) else text[match.start("opened") : match.end("opened")]
-    fault = f"{match['opened']} begins a display that has no end"
+    fault = f"{match['opened']} opens a display that is never closed"
     return Printed(name, latex, fault=fault, group=group)
 
 

@@ -126,7 +126,7 @@ def expand(text: LocatedText, macros: Mapping[str, Macro]) -> LocatedText:
         body, end = _call(text.string, found, macros[found[0]])
         done.append(text[: found.start()])
         text = text.put(body, found.start()) + text[end:]
-    raise DocumentError(f"{found[0] if found else ''}: macros that call each other in a circle")
+    raise DocumentError(f"{found[0] if found else ''}: macros that call each other endlessly")
 
 
 def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:

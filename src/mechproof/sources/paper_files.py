@@ -110,7 +110,7 @@ def _open(path: Path) -> str:
         return path.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        told = "a character that is not UTF-8. Save the file in that encoding."
+        told = "a character that is not UTF-8. Save the file as UTF-8."
         raise DocumentError(f"{path}:{line}: {told}") from error
     except OSError as error:
         raise DocumentError(f"{path}: {error.strerror}") from error
@@ -125,7 +125,7 @@ def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> Lo
     blocks = sorted(found, key=lambda match: match.start())
     if len(blocks) < len(_OPENED.findall(content)):
         *_, end = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
-        raise DocumentError(f"{name}: its block of letters has no end: a line {end}")
+        raise DocumentError(f"{name}: its block of letters has no end: add a line {end}")
     for match in blocks:
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
@@ -218,15 +218,15 @@ def _insert(text: LocatedText, source: Source, above: tuple[str, ...]) -> Locate
 def _find(name: str, above: tuple[str, ...], place: Place, source: Source) -> Path | None:
     """Return the file that is input; record it as missing if the paper's folder lacks it."""
     if (folder := source.folder) is None:
-        source.missing.append((place, f"{name} is not read: what is piped in has no folder"))
+        source.missing.append((place, f"{name} is not read: piped input has no folder"))
         return None
     for file in (folder / name, folder / f"{name}.tex"):
         if not file.resolve().is_relative_to(folder):
-            source.missing.append((place, f"{name} is not read: it lies outside {folder}"))
+            source.missing.append((place, f"{name} is not read: it is outside {folder}"))
             return None
         if file.is_file():
             if len(above) > _DEEPEST:
-                raise DocumentError(f"{place}: files input each other, {_DEEPEST} deep")
+                raise DocumentError(f"{place}: files input each other, {_DEEPEST} levels deep")
             return file
     source.missing.append((place, f"{name} is not read: there is no such file"))
     return None
