@@ -487,6 +487,6 @@ def test_members_of_families_are_named_as_they_are_printed(reason: str, written:
 def test_a_step_of_other_letters_says_what_would_decide() -> None:
     row = run(r"k=\frac{a-b}{c-b}=-\frac mn").rows[1]
     assert row.outcome == "not judged"
-    assert row.reason.endswith("say so in the block of letters: identity (1)")
+    assert row.reason.endswith("if it is meant for all their values, identity (1)")
     row = run(r"k=\frac{a-b}{c-b}=-\frac mn", block="%% constraint (1)\n").rows[1]
     assert row.outcome == "DEFINITION"

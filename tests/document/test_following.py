@@ -52,7 +52,7 @@ def test_what_does_not_follow_is_refuted(result: str) -> None:
     block = BLOCK.replace("%% follows", "%% factor N_1, N_2, W\n%% follows")
     outcome, reason = judge(result, block)
     assert outcome == "REFUTED"
-    assert reason.startswith("does not follow from (1), (2): these are solved for ")
+    assert reason.startswith("does not follow from (1), (2): with these solved for ")
 
 
 LINEAR = r"""%% mechproof
@@ -141,7 +141,7 @@ def test_what_is_no_constraint_gives_nothing() -> None:
     row = mechproof.check("paper.tex", text).rows[2]
     assert (row.outcome, row.reason) == (
         "not judged",
-        "(4): no equation between letters is read there",
+        "(4): no equation between letters was read there",
     )
 
 

@@ -60,7 +60,7 @@ def test_both_sides_are_numbers_in_one_unit(latex: str, outcome: str) -> None:
 
 # Inequalities that are left open, and why.
 OPEN = {
-    r"T<353\,\mathrm{K}": "different zeros",
+    r"T<353\,\mathrm{K}": "different zero points",
     r"k<5\,\mathrm{mm}": "none is declared for k",
     r"F<5\,\mathrm{mm}": "dimension",
     r"n<50\,\mathrm{s^{-1}}": "turns, or radians?",

@@ -242,7 +242,7 @@ MEMBERS = """%% mechproof
         # An equation that holds for each index is not a fault of the print.
         ("d_i=mz_i", "for each i"),
         ("d_{bi}=cd_i", "for each i"),
-        ("d_{b1}=cd_1", "d_{b1}, a member of a family: declare it as a letter"),
+        ("d_{b1}=cd_1", "d_{b1}, a member of a family: declare it as a separate letter"),
     ],
 )
 def test_members_of_families_are_accused_of_nothing(latex: str, reason: str) -> None:

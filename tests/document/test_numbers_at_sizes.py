@@ -248,7 +248,7 @@ SPRING = r"""%% mechproof
 RATE = r"R=\frac{Gd^4}{8D^3i}=12.07\,\mathrm{N/mm}"
 RATIO = r"w=\frac Dd=7.5"
 ENERGY = r"W=\frac{F^2}{2R}="
-AGREES = "it agrees with the rounded numbers that are printed, R of (1); unrounded ones give 3"
+AGREES = "it agrees with the printed rounded numbers, R of (1); unrounded ones give 3"
 # Prints, and the reason given for the last number.
 ROUNDED = [
     ([RATE, ENERGY + r"3727\,\mathrm{N\,mm}"], "recomputed 3726.99"),
@@ -259,7 +259,7 @@ ROUNDED = [
     ([RATE.partition("=12")[0], ENERGY + "3728"], "recomputed 3726.99, printed 3728"),
     # An exact number was not rounded.
     ([RATIO, r"s=dw=30.2\,\mathrm{mm}"], "recomputed 30, printed 30.2"),
-    ([RATIO.replace("7.5", "7.6"), r"s=dw=30.4\,\mathrm{mm}"], "it agrees with the rounded"),
+    ([RATIO.replace("7.5", "7.6"), r"s=dw=30.4\,\mathrm{mm}"], "it agrees with the printed"),
 ]
 
 
@@ -329,7 +329,7 @@ def test_words_may_state_a_size_anew(words: str, latex: str, number: str, outcom
     assert check("paper.tex", f"{ROD}{words} {display}").rows[-1].outcome == outcome
 
 
-FEW = "the value at the sizes is 2; a number of so few digits may be rounded, or meant for others"
+FEW = "the value at the sizes is 2; a number of so few digits may be rounded, or for other sizes"
 # Numbers of one digit or two, their outcome, and the reason given.
 DIGITS = [
     ("k=2", "PROVED", "recomputed 2"),

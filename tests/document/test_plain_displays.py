@@ -207,7 +207,7 @@ UNREAD = {
     r"x=2y\quad\text{(kilometers)}": "is not understood",
     r"x=25\quad\text{(percent)}": "is not understood",
     # The (1) may refer to equation (1).
-    r"x=y-2(1)": "the number, or the equation that has it?",
+    r"x=y-2(1)": "the number, or the equation with that number?",
 }
 
 

@@ -439,14 +439,14 @@ def test_what_defines_a_letter_may_have_the_misprint() -> None:
     assert row.outcome in ("PROVED", "DEFINITION")
     row = judge((*circle, "u=x^2+y^2-l_1^2-l_2^2", r"m\cos\alpha+n\sin\alpha+u=0"))
     assert row.outcome == "REFUTED"
-    assert "^2 in what defines u" in row.reason
+    assert "^2 in the definition of u" in row.reason
 
 
 @pytest.mark.slow
 def test_a_misprint_is_told_with_what_mends_it() -> None:
     before, _, (wrong, *_) = PAPERS["a determinant"]
     assert judge((*before, wrong)).reason == (
-        "the two sides differ; with q_2 for q_1 they would not"
+        "the two sides differ, but not with q_2 instead of q_1"
     )
     before, _, (wrong, *_) = PAPERS["Freudenstein"]
     assert judge((*before, wrong)).reason.endswith("; compared with (1), (2)")

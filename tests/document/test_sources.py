@@ -116,7 +116,7 @@ TWICE = [
     ("a : one\n%% sizes a>1", "letter=number"),
     ("a : one [mm]\n%% sizes a=1 s", r"declared in \[mm\]"),
     ("a : one\n%% sizes a=1 m", r"declared in \[\]"),
-    ("a : one\n%% let a=a+1", "given by itself"),
+    ("a : one\n%% let a=a+1", "defined by itself"),
     ("a : one\n%% let a>1", "letter=expression"),
     ("a : one\n%% branch b=\\pm1", "not declared"),
     ("a : one\n%% natural n", "not declared"),

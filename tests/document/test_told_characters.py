@@ -61,4 +61,4 @@ def test_what_is_not_read_may_define_the_letter_that_is_meant() -> None:
     outcomes = [row.outcome for row in found.rows]
     assert outcomes[2] == READ
     assert not {"PROVED", "REFUTED"} & {*outcomes[3:5]}
-    assert "may define a letter of it anew" in found.rows[4].reason
+    assert "may redefine one of its letters" in found.rows[4].reason

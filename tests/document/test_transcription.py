@@ -129,7 +129,7 @@ def test_a_correction_is_a_print_with_something_else_in_it(write: Write) -> None
 def test_a_correction_changes_what_is_printed(write: Write, old: str, new: str) -> None:
     paper = write(PAPER)
     with pytest.raises(
-        ValueError, match=rf"display the domain has no '{old}' that '{new}' changes"
+        ValueError, match=rf"'{new}' for '{old}' does not change display the domain"
     ):
         paper.mend("the domain", old, new)
 
@@ -140,14 +140,14 @@ def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
     given = {v.symbol: v.given for v in paper.give({half: e / 2})}
     assert given[half] == e / 2
     assert given[e] is None
-    with pytest.raises(ValueError, match=r"its block declares no k$"):
+    with pytest.raises(ValueError, match=r"its block does not declare k$"):
         paper.give({sp.Symbol("k"): e})
 
 
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
-        (lambda paper: paper.symbols("phi1 psi k"), r"its block declares no psi, k$"),
+        (lambda paper: paper.symbols("phi1 psi k"), r"its block does not declare psi, k$"),
         (lambda paper: paper.equation("(2)"), r"it has no display \(2\)$"),
     ],
 )

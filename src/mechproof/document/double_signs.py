@@ -71,7 +71,7 @@ def find_double_signs(
         raise read.source.refuse(
             double.start(),
             "a double sign in the definition of a letter: both signs, or either?",
-            r"Say branch \sigma=\pm1 in the block of letters.",
+            r"Declare branch \sigma=\pm1 in the block of letters.",
         )
     return signs
 
@@ -93,8 +93,8 @@ def _find_solutions(printed: Printed, reader: Reader, known: Known, pairs: Pairs
     if is_one_sided and any(map(is_complex, sides)):
         raise read.source.refuse(
             next(DOUBLE.finditer(printed.latex.string)).start(),
-            "a double sign beside the imaginary unit: which of the two numbers is the letter?",
-            "Print them one by one, as letters of their own.",
+            "a double sign next to the imaginary unit: which of the two numbers is the letter?",
+            "Print them one by one, as separate letters.",
         )
     if not is_one_sided or any(map(is_matrix, sides)):
         return []

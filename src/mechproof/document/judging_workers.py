@@ -49,8 +49,7 @@ LIMIT = 60.0
 # Completes the reason of a row that differs from another value of the same letter.
 UNLIKE = ", which has the same letters: one of them is wrong or about another case"
 TRANSPOSED = (
-    "it holds with one side transposed: a misprint, or derivatives of which each row is by one "
-    "letter?"
+    "it holds with one side transposed: a misprint, or derivatives with one row for each letter?"
 )
 # Rows judged elsewhere: their numbers and prints, each with the number of statements of its row.
 Elsewhere = frozenset[tuple[str, int]]
@@ -159,13 +158,13 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and task.is_solution and not is_relation:
         return (
             f"it differs from {task.sign.first}, but may be another solution or case; if it is "
-            f"none, say so in the block of letters: identity {name_equation(task.row.number)}"
+            f"neither, declare identity {name_equation(task.row.number)} in the block of letters"
         )
     is_compared = task.asserts or task.sign.role in COMPARED
     if found.verdict is Verdict.REFUTED and is_compared and (said := find_relations(task)):
         return (
-            "it holds for some values of its letters; if they are meant, say so in the block of "
-            f"letters: where {said}"
+            "it holds for some values of its letters; if these are meant, declare them in the "
+            f"block of letters: where {said}"
         )
     if found.verdict is Verdict.REFUTED and task.is_alone:
         says = task.row.says

@@ -88,8 +88,8 @@ def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None
         if numbers and any(isinstance(node, tree.Letter) for node in nodes):
             raise read.source.refuse(
                 numbers[0].start,
-                f"({numbers[0].text}): the number, or the equation that has it?",
-                r"Print \cdot before the number, or leave that of an equation to the text.",
+                f"({numbers[0].text}): the number, or the equation with that number?",
+                r"Print \cdot before the number, or refer to the equation in the text.",
             )
 
 

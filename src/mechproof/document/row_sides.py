@@ -220,7 +220,7 @@ def find_units(
     if is_number or is_special:
         return RowUnits(False, "one side is a number")
     if any(map(raises_by_letter, sides)):
-        return RowUnits(False, "a letter is raised by a letter")
+        return RowUnits(False, "a letter is raised to the power of a letter")
     bare = letters & known.symbols.bare
     if not bare:
         return RowUnits(True)

@@ -25,7 +25,7 @@ _FEWEST_DIGITS = 3
 _LONG = 5
 
 # Completes a reason if the change is in a definition.
-WITHIN = " in what defines "
+WITHIN = " in the definition of "
 
 Sides = tuple[sp.Expr, sp.Expr]
 
@@ -51,7 +51,7 @@ class ChangedSides:
     def reason(self) -> str:
         """Return the reason, which names the misprinted part and the part meant."""
         where = f"{WITHIN}{self.within}" if self.within else ""
-        return f"the two sides differ; with {self.meant} for {self.printed}{where} they would not"
+        return f"the two sides differ, but not with {self.meant} instead of {self.printed}{where}"
 
 
 def list_alike(letters: Collection[sp.Basic], domain: Domain) -> list[sp.Basic]:

@@ -52,7 +52,7 @@ from mechproof.tools.processes import limit_time
 T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
-_MEMBER = ", a member of a family: declare it as a letter of its own"
+_MEMBER = ", a member of a family: declare it as a separate letter"
 UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
 # Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
@@ -239,7 +239,7 @@ class Document:
         if reason := mentions.look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
         if mentions.says_constant(printed.latex.string):
-            return self._leave(printed, State.NOT_JUDGED, "it says that something does not change")
+            return self._leave(printed, State.NOT_JUDGED, "it only says that something is constant")
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:

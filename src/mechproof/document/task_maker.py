@@ -205,7 +205,7 @@ class TaskMaker:
             row = replace(
                 row,
                 says=state_modulo(row.says, turn, self.known),
-                note=f"Said modulo {turn}.",
+                note=f"Stated modulo {turn}.",
             )
         sides = list_sides(row, sign, self.known)
         units = find_units(row, sign, sides, self.known, self.papers, is_stated)

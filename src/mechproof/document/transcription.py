@@ -78,7 +78,7 @@ class Transcription:
         """
         known: dict[str, sp.Basic] = {str(v.symbol): v.symbol for v in self.variables}
         if missing := [name for name in names.split() if name not in known]:
-            raise ValueError(f"{self.file}: its block declares no {', '.join(missing)}")
+            raise ValueError(f"{self.file}: its block does not declare {', '.join(missing)}")
         return tuple(known[name] for name in names.split())
 
     def give(self, values: Mapping[sp.Basic, Any]) -> tuple[Variable, ...]:
@@ -88,7 +88,7 @@ class Transcription:
         """
         letters = {v.symbol for v in self.variables}
         if unknown := [str(symbol) for symbol in values if symbol not in letters]:
-            raise ValueError(f"{self.file}: its block declares no {', '.join(unknown)}")
+            raise ValueError(f"{self.file}: its block does not declare {', '.join(unknown)}")
         return tuple(replace(v, given=values.get(v.symbol)) for v in self.variables)
 
     def equation(self, number: str, says: Statement | None = None, **more: Any) -> Equation:
@@ -113,7 +113,7 @@ class Transcription:
         pieces = [printed] if "\\" in old else _COMMAND.split(printed)
         mended = "".join(p if _COMMAND.fullmatch(p) else p.replace(old, new) for p in pieces)
         if not old or mended == printed:
-            raise ValueError(f"{self.file}: display {number} has no {old!r} that {new!r} changes")
+            raise ValueError(f"{self.file}: {new!r} for {old!r} does not change display {number}")
         return Correction(mended, says)
 
     def _make(self, kind: type[R], number: str, says: Statement | None, more: dict[str, Any]) -> R:

@@ -29,7 +29,7 @@ from mechproof.record.parts import TURNING
 from mechproof.statement_domains.domain import Domain
 
 # Completes the reason of a row that is never true: the definitions may be wrong instead.
-WITH_DEFINITIONS = " with what defines its letters"
+WITH_DEFINITIONS = " with the definitions of its letters"
 # How often definitions are put in before all of them are.
 _DEPTH = 3
 _POSITIVE = sp.Interval.open(0, sp.oo)
@@ -184,7 +184,7 @@ def _list_turning(task: Task) -> Iterator[sp.Basic]:
 
 def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
     """Return whether an equation holds where some of its letters lie in sets."""
-    inside = Part("what is not said of some letters holds", within)
+    inside = Part("assumed ranges of some letters", within)
     domain = Domain.of(task.paper, task.row.on, inside)
     says = task.row.statement
     sides = [says.printed, says.rebuilt] if isinstance(says, Equality) else []

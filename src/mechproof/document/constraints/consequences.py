@@ -34,7 +34,7 @@ SQUARE = "square of a root"
 FOLLOWING = (MULTIPLE, COMBINATION, SQUARE)
 GIVEN = "definition"
 # Completes the reason of a row that follows by its square.
-ROOT = ", as the root is, is taken as given"
+ROOT = ", like the root, is taken as given"
 
 
 def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, str] | None:
@@ -54,7 +54,7 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
         if multiple is None:
             continue
         factor, rest = multiple
-        reason = f"left - right is that of {_multiply(name, factor)}"
+        reason = f"left - right equals that of {_multiply(name, factor)}"
         if rest != 0:
             reason = f"cannot hold together with {name}: {reason}, plus {rest}"
             return Verdict.DEFINITION, GIVEN, reason
@@ -120,7 +120,7 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
     sign = sp.cancel(-rest / factor)
     if decide(Holds(sp.Ge(sign, 0)), domain).verdict is Verdict.PROVED:
         return Verdict.PROVED, SQUARE, f"its square {found[2]}; the root has the right sign"
-    reason = f"its square {found[2]}; that {sign} >= 0{ROOT}"
+    reason = f"its square {found[2]}; {sign} >= 0{ROOT}"
     return Verdict.DEFINITION, GIVEN, reason
 
 
@@ -147,7 +147,7 @@ def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
     is_shown = decide(Equality(rest, sp.S.Zero), domain).verdict is Verdict.PROVED
     if not is_shown or not hold_together([*used.values()], domain, list_factors_below(rest)):
         return None
-    reason = f"follows from {', '.join(used)}, taken as given, and from derivatives of these"
+    reason = f"follows from {', '.join(used)}, taken as given, and from their derivatives"
     return Verdict.PROVED, COMBINATION, reason
 
 

@@ -26,8 +26,8 @@ from mechproof.record import Definition, Equality, Paper, list_given
 from mechproof.statement_domains.domain import Domain
 
 ELIMINATION = "elimination"
-_NO_NUMBERS = "only equations of numbers or of printed matrices are compared with others"
-_UNTIED = "does a letter depend on another there? Say so in the block of letters, x(t)"
+_NO_NUMBERS = "only equations between numbers or printed matrices are compared with others"
+_UNTIED = "does a letter depend on another there? If so, declare it in the block of letters: x(t)"
 _OPEN = (Verdict.REFUTED, Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
@@ -105,7 +105,7 @@ def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement |
     names = ", ".join(task.follows)
     given = [*state_at(given, task)]
     if not given:
-        return f"{names}: no equation between letters is read there"
+        return f"{names}: no equation between letters was read there"
     consequence = find_consequence(task, given)
     if consequence and consequence[0] is Verdict.PROVED:
         verdict, rung, reason = consequence
@@ -118,20 +118,16 @@ def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement |
     values, is_everywhere = solution
     rest = sp.cancel(residuals[0].xreplace(values))
     if rest.has(sp.nan, sp.zoo):
-        return f"{names} leave nothing of it"
+        return f"it has no value once {names} are put in"
     left = judge(replace(task.row, says=Equality(rest, sp.S.Zero, "member")), task.paper)
     solved = ", ".join(map(str, values))
     if left.verdict is Verdict.PROVED and is_everywhere:
-        reason = f"follows from {names}, taken as given, which are solved for {solved}"
+        reason = f"follows from {names}, taken as given and solved for {solved}"
         return replace(found, verdict=left.verdict, rung=ELIMINATION, reason=reason, evidence=())
     if left.verdict is Verdict.PROVED:
-        return (
-            f"it follows from {names} where these can be solved for {solved}; elsewhere not shown"
-        )
+        return f"it follows from {names} where they can be solved for {solved}; not shown elsewhere"
     if left.verdict is Verdict.REFUTED:
-        reason = (
-            f"does not follow from {names}: these are solved for {solved}, and then {left.reason}"
-        )
+        reason = f"does not follow from {names}: with these solved for {solved}, {left.reason}"
         return replace(left, reason=reason)
     return left
 

@@ -115,7 +115,7 @@ def judge_signs(task: Task, found: Judgement) -> Judgement | str:
     domain = Domain.of(task.paper, task.row.on)
     each = Solutions(*task.sign.sides).state_each(domain.dimensions)
     if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
-        return "one of its signs is printed elsewhere; of the other nothing is known"
+        return "one of its signs is printed elsewhere; nothing is known about the other"
     turns = _TURNS if isinstance(each[0], Conjunction) else ""
     return replace(found, reason=f"{found.reason}, with one sign or the other{turns}")
 

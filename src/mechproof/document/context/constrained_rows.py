@@ -77,7 +77,7 @@ def _follow(at: Judging, asked: Mapping[int, tuple[int, ...]]) -> Changes:
             continue
         names = _list_alike(task, [at.tasks[g] for g in given])
         if names and alone and alone.rung == GIVEN:
-            reason = f"{alone.reason}; that it follows from {names} was not shown"
+            reason = f"{alone.reason}; it was not shown to follow from {names}"
             yield n, make_row(task, replace(alone, reason=reason))
 
 
@@ -162,7 +162,7 @@ def _judge_halves(at: Judging) -> Changes:
             continue
         pair = next(m for m, one in enumerate(tasks) if one.row.number == task.sign.first)
         if at.rows[pair].outcome == Verdict.REFUTED.value:
-            yield n, make_row(task, f"it is said by {tasks[pair].row.number}, which is refuted")
+            yield n, make_row(task, f"it comes from {tasks[pair].row.number}, which is refuted")
             continue
         halves = task.sign.sides[0].free_symbols
         behind = [m for m in range(n, len(tasks)) if defines(tasks[m], halves)]

@@ -59,7 +59,7 @@ def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Change
         (others, why), *_ = found[n]
         names = ", ".join(one.row.number for one in others)
         if isinstance(answer, Judgement) and (is_open or answer.verdict is Verdict.REFUTED):
-            reason = f"{answer.reason}; that does not rest on {names}"
+            reason = f"{answer.reason}; this does not rest on {names}"
             yield n, make_row(tasks[n], replace(answer, reason=reason))
         elif not is_open:
             first = "it differs" if rows[n].outcome == Verdict.REFUTED.value else "it holds"
@@ -96,7 +96,7 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
         behind = [one for one in behind if not leaves_free(one, task, tasks)]
     groups = (
         (doubted, "may be wrong itself"),
-        (special, "is said of a case"),
+        (special, "is about a special case"),
         (
             [one for one in behind if one.said.is_new],
             "is printed later, perhaps for a special case",
@@ -169,8 +169,8 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
             holds, letter = "holds" if outcome == Verdict.PROVED.value else "differs", met[0]
             kind, size = ("vector", "3x1") if is_vector(shown[letter]) else ("matrix", "3x3")
             reason = (
-                f"it {holds} if {letter} is a number: is it a {kind}, as {shown[letter]} looks? "
-                f"Say in the block of letters what it is, {letter} {size} : its meaning, or "
+                f"it {holds} if {letter} is a number: is it a {kind}, as {shown[letter]} suggests? "
+                f"Declare it in the block of letters: {letter} {size} : its meaning, or "
                 f"{letter} : number"
             )
             yield n, make_row(task, reason)

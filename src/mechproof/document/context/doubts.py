@@ -162,7 +162,7 @@ def doubt_conditions(at: Judging) -> Changes:
     """Leave open a refuted condition of a case, which may hold outside the letters' domain."""
     for n, task in enumerate(at.tasks):
         if task.sign.role is Role.RELATION and task.said.is_case and _is_refuted(at.rows[n]):
-            reason = "it is never true where the letters lie: is it the condition of another case?"
+            reason = "it is never true in the ranges of its letters: a condition of another case?"
             yield n, make_row(task, reason)
 
 
@@ -213,7 +213,7 @@ def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
         between = [x for place, name, x in unread if place <= n and name in named[:place]]
         if names := ", ".join(left.number for left in between):
             first = "it differs" if _is_refuted(at.rows[n]) else "it holds"
-            reason = f"{first}, but {names}, not read, may define a letter of it anew"
+            reason = f"{first}, but {names}, not read, may redefine one of its letters"
             yield n, make_row(task, reason)
 
 

@@ -227,12 +227,12 @@ def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Ju
     solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
     domain = Domain.of(task.paper, task.row.on)
     if met := solutions.find_met(given, domain):
-        reason = "both signs give {} of {}, taken as given".format(*met)
+        reason = "with either sign, {} solves {}, taken as given".format(*met)
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
     if task.is_case or solutions.is_pair:
         return None
     if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
-        reason = f"{write_sign(found.change.reason)}; both signs compared with what else is printed"
+        reason = f"{write_sign(found.change.reason)}; both signs compared with other prints"
         return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     return None
 

@@ -58,7 +58,7 @@ def find_roots(at: Judging) -> Changes:
             _, steps = at.symbols.find_steps(letter)
             anew = dict.fromkeys(steps[steps.index(letter) :]) | values
             tasks[n] = replace(task, anew=anew)
-            reason = f"it differs from {task.sign.first}, but solves {tasks[m].row.number}, too"
+            reason = f"it differs from {task.sign.first}, but also solves {tasks[m].row.number}"
             yield n, make_row(task, reason)
 
 
@@ -150,8 +150,8 @@ def _choose(
     if row.judgement is None:
         return None
     first = "it holds" if is_proved else "it differs"
-    defines = "defines" if len(newer) == 1 else "define"
-    return f"{first} with the first definition of what {names} {defines} anew: which one is meant?"
+    redefine = "redefines" if len(newer) == 1 else "redefine"
+    return f"{first} with the first definition of what {names} {redefine}: which one is meant?"
 
 
 def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
@@ -186,7 +186,7 @@ def doubt_by_cases(at: Judging) -> Changes:
             reason = f"it holds, but rests on {names}, which is {why}"
             if is_bare(tasks[others[0]]):
                 said = tasks[others[0]].row.printed_latex
-                reason = f"{reason}; if it holds here, too, say let {said} in the block of letters"
+                reason = f"{reason}; if it holds here, too, add let {said} in the block of letters"
             yield n, make_row(tasks[n], reason)
 
 

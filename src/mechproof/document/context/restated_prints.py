@@ -54,9 +54,9 @@ def tell_unlike(task: Task) -> str:
     """Return the reason why a row that differs from another print of its letter is left open."""
     other, name = task.sign.first or "the member before", name_equation(task.row.number)
     return (
-        f"it differs from {other} and has other letters: a constraint, or a misprint? If a "
-        f"constraint, say constraint {name}; if it is meant for all their values, say so "
-        f"in the block of letters: identity {name}"
+        f"it differs from {other} and has other letters: a constraint, or a misprint? In "
+        f"the block of letters, declare constraint {name} or, if it is meant for all their "
+        f"values, identity {name}"
     )
 
 

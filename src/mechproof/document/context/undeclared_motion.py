@@ -65,8 +65,8 @@ def doubt_by_stillness(at: Judging) -> Changes:
         if letters and letters.isdisjoint({by, *moving, *rates}):
             may = ", ".join(sorted(f"{s}({by})" for s in letters))
             reason = (
-                f"{one.row.number} gives {letter}, which depends on {by}, by letters that do not; "
-                f"say in the block of letters which of them do: {may}"
+                f"{one.row.number} defines {letter}, which depends on {by}, by others that do not; "
+                f"declare in the block of letters which of them do: {may}"
             )
             still |= dict.fromkeys(own, reason)
     for n, task in enumerate(at.tasks if still else ()):
@@ -106,8 +106,8 @@ def doubt_by_ties(at: Judging) -> Changes:
 def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
     names = ", ".join(one.row.number for one in given)
     return (
-        f"by {names}, {letter} may move with {by}; say in the block of letters that it does, "
-        f"{letter}({by}), or what it is, let {letter}=…"
+        f"by {names}, {letter} may change with {by}; declare in the block of letters that it does, "
+        f"{letter}({by}), or its value, let {letter}=…"
     )
 
 
@@ -155,8 +155,8 @@ def _tell(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:
     names = ", ".join(one.row.number for one in group)
     which = ", ".join(f"{letter}(t)" for letter in letters)
     return (
-        f"beside {names} nothing moves unless further letters do; if these depend on time, say so "
-        f"in the block of letters: {which}"
+        f"given {names}, nothing moves unless other letters do; if these depend on time, declare "
+        f"that in the block of letters: {which}"
     )
 
 

@@ -32,7 +32,7 @@ from mechproof.statement_domains.domain import Domain
 
 # Roles of rows that a condition printed after them may restrict to one place.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
-_BESIDE = "constraints may change a letter that stands beside the value: is it meant for"
+_BESIDE = "constraints may change a letter next to the value: is the value meant for"
 # Functions that take each value once in a range, their inverses, and that range.
 _INVERSES = (
     (sp.sin, sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
@@ -152,11 +152,11 @@ def judge_at_place(
 
 def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
     """Return the reason that names the letters which may have several values at a place."""
-    names = ", ".join(one.row.number for one in given) or "what stands before it"
-    letters = ", ".join(sorted(map(str, tied & list_letters(task)))) or "what is tied"
+    names = ", ".join(one.row.number for one in given) or "the prints before it"
+    letters = ", ".join(sorted(map(str, tied & list_letters(task)))) or "another letter"
     return (
-        f"it was not shown that {letters} has one value only for {_write(_find_places(task))} "
-        f"by {names}; if a range of it tells, say it in the block of letters"
+        f"it was not shown by {names} that {letters} has only one value for "
+        f"{_write(_find_places(task))}; if its range decides, declare that in the block of letters"
     )
 
 

@@ -142,7 +142,7 @@ def write_factors(
     found = [x for x in factors if name_symbol(x).rstrip("'") not in depending]
     asked = [x for x in found if any(rf"{x}\frac" in latex for latex in prints)]
     if len(found) > len(asked):
-        yield "# A bracket follows each of these: they are taken to multiply it."
+        yield "# Each of these is followed by a bracket and taken to multiply it."
         yield from (f"factor {name}" for name in found if name not in asked)
     for name in asked:
         yield f"# A fraction follows {name}: a factor, or part of its argument?"
@@ -152,15 +152,15 @@ def write_factors(
 def ask_sizes(letters: Iterable[str]) -> Iterator[str]:
     """Yield questions about matrices of several sizes."""
     for name in dict.fromkeys(letters):
-        yield f"# {name} has several sizes: declare a letter for each, and say where it is"
-        yield f"# which: in (1): {name} is …"
+        yield f"# {name} has several sizes: declare a letter for each, and where it is meant:"
+        yield f"# in (1): {name} is …"
 
 
 def ask_zeros(displays: Iterable[Printed]) -> Iterator[str]:
     """Yield questions about letters that are printed to be zero."""
     for display in displays:
         if zero := _ZERO.fullmatch(display.latex.string):
-            yield f"# {display.name}: a constant of integration, which is zero throughout?"
+            yield f"# {display.name}: is this a constant of integration that is zero throughout?"
             yield f"# let {zero[1]}=0"
 
 

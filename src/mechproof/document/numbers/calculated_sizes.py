@@ -28,7 +28,7 @@ from mechproof.record.parts import ENDLESS
 from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, name_in_si, read_unit, weigh_unit
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
-_IN_SI = "Print it in a multiple of a unit of SI: K for °C, rad/s for 1/min."
+_IN_SI = "Print it in an SI unit or a multiple of one: K for °C, rad/s for 1/min."
 # Unit of speeds that count revolutions.
 _MINUTE = "1/min"
 Span = tuple[float, float] | None
@@ -62,7 +62,7 @@ def _calculate(read: Print, member: Node, bare: Collection[sp.Basic]) -> Node:
         raise read.source.refuse(first.start, reason) from error
     number = value.xreplace({name: size.value for name, size in given.items()})
     if not (number.is_real and number.is_finite):
-        raise read.source.refuse(first.start, "a calculation that gives no real number")
+        raise read.source.refuse(first.start, "a calculation whose result is not a real number")
     return Calculated(member, number, unit, start=member.start, end=member.end)
 
 
@@ -73,7 +73,7 @@ def _refuse_bare(read: Print, first: Measure, bare: Collection[sp.Basic]) -> Non
     if without or weigh_unit(first.unit) is None:
         raise read.source.refuse(
             first.start,
-            f"a number with a unit, {first.unit}, beside letters",
+            f"a number with a unit, {first.unit}, next to letters",
             f"Declare the unit of {without}." if without else _IN_SI,
         )
 

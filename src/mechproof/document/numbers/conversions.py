@@ -24,7 +24,7 @@ from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, is_share, rea
 from mechproof.statement_domains.domain import Domain
 
 UNFIT = "the unit after the number is not that of its letters, or their units are not declared"
-_TURNED = "turns, or radians? no letter says in which of them the calculation counts"
+_TURNED = "turns, or radians? no letter says which of them the calculation uses"
 DEGREES = "it holds only in degrees, which the text does not say: print ^\\circ after the angles"
 NEAR = "it differs from the recomputed number, but rounding may explain the difference"
 _DECIMAL = re.compile(r"\d\s*(?:\.|\{,\})\s*\d")

@@ -30,14 +30,14 @@ from mechproof.sources.displays import Printed
 
 # A number of one digit, or with zeros at its end that may not be significant.
 _FEW_DIGITS = re.compile(r"-?(?:\d(?:e-?\d+)?|[1-9]\d*0)\Z")
-_FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or meant for others"
+_FEW = "the value at the sizes is {}; a number of so few digits may be rounded, or for other sizes"
 SINGLE = "a single value: the text does not say for which sizes, or to how many digits"
-OTHERS = "it is not the number at the sizes of"
-_ROUNDED = "it agrees with the rounded numbers that are printed, {}; unrounded ones give {}"
+OTHERS = "it is not the value at the sizes of"
+_ROUNDED = "it agrees with the printed rounded numbers, {}; unrounded ones give {}"
 _BARE_NUMBERS = "the numbers have no unit: which units are meant?"
 _SAID = "it agrees with {}, but not with its formula, which gives {}"
-_RESTATED = "it is not the number at the declared sizes, and the text says other ones: {}"
-_BARE = "it holds for the numbers as they stand, but not in the units of their letters"
+_RESTATED = "it is not the value at the declared sizes, and the text gives other ones: {}"
+_BARE = "it holds for the bare numbers, but not in the units of their letters"
 
 
 def state_number(

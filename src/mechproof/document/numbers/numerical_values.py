@@ -32,11 +32,11 @@ _LEAST = 30
 # Fewest digits of a factor that may be rounded, and the relative error of doubles.
 _DIGITS = 3
 _SMALL = 1e-9
-_BARE = "a unit, {}, but none is declared for {}"
-_MISFIT = "the unit {} has dimension {}, the other side {}"
-_MIXED = "what is {} {} in the units of the letters of the other side is not known"
-_TURNED = "turns, or radians? the unit {} and the other side do not say it"
-_ZERO = "{} and the other side count from different zeros"
+_BARE = "it has a unit, {}, but none is declared for {}"
+_MISFIT = "the unit {} has dimension {}, the other side has {}"
+_MIXED = "it is not known what {} {} is in the units of the other side's letters"
+_TURNED = "turns, or radians? neither the unit {} nor the other side says which"
+_ZERO = "{} and the other side have different zero points"
 
 
 def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:

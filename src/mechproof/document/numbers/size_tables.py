@@ -37,7 +37,7 @@ from mechproof.sources.tabulars import TableCell, Tabular
 # Rows that may hold the heads, as heads of groups of columns may come above them.
 _HEAD_ROWS = 3
 _COMMA = "numbers such as 1,234: is the comma decimal, or does it separate thousands?"
-_NONE_AGREES = "few lines agree with the formula: are units or sizes other than declared?"
+_NONE_AGREES = "few lines agree with the formula: do units or sizes differ from those declared?"
 _NEAR = "it differs from the recomputed number, but rounded sizes may explain the difference"
 Numbers = Sequence[Mapping[int, Numeral | None]]
 
@@ -137,7 +137,7 @@ class SizeTables:
                 reason = "is not compared: its head cannot be read"
                 self._tell(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
-                what = "no numbers of a letter that a formula gives" if grid else "no two letters"
+                what = "no numbers of a letter with a formula" if grid else "fewer than two letters"
                 reason = f"this table is not compared: it shows {what}"
                 self._tell(table.offset, reason)
 

@@ -45,9 +45,9 @@ from mechproof.sources.displays import Printed
 _DIFFERS = "{} is printed in {}: another case, or a misprint?"
 # Signs and words that may say which case a number is for.
 _CASE = re.compile(r"\\(?:text|mbox|q?quad)|[(\[|]|(?<![\\{])[,;](?!\s*\Z)|\\\\")
-_OTHERS = "the numbers that are put in give {}, the sizes {}: are others meant?"
-_ROUNDED = "the numbers that are put in give {}, the sizes {}, which rounding may explain"
-_UNSHOWN = "the calculation gives {}, but that this is in {} is not shown"
+_OTHERS = "the numbers put in give {}, the sizes {}: are other sizes meant?"
+_ROUNDED = "the numbers put in give {}, the sizes {}, which rounding may explain"
+_UNSHOWN = "the calculation gives {}, but was not shown to be in {}"
 # Relative errors allowed for results of rounded numbers, and of whole ones of few digits.
 _NEAR, _FAR = 0.01, 0.1
 
