@@ -77,7 +77,7 @@ ROWS = [
 ]
 # A print with two readings, the values given, and words of the question asked.
 ASKED = [
-    ("y'=2z", ("y=x^2+z^2", "x=2"), "by what"),
+    ("y'=2z", ("y=x^2+z^2", "x=2"), "by which letter"),
     ("f(x+h)-f=h", (), "the argument of a function"),
     ("v(t)=v_0+a", (), "the argument of a function"),
     ("y=y(x)", (), "the argument of a function"),
@@ -107,11 +107,11 @@ ASKED = [
     (r"\ln\frac abx=1", (), "belong to the argument"),
     (r"\sin\alpha t=1", (), "belong to the argument"),
     (r"\delta x=\delta y", (), "one quantity, or a product"),
-    ("s'=h", (r"s=h\sin\varphi",), "by what"),
-    (r"\dot x=x", ("x=2s",), "by what"),
-    ("y'=1", ("y=|x|",), "by what"),
-    ("y'=2x", ("y=x^2", "x=t^3"), "by what"),
-    ("y'=0", ("y=a^2",), "by what"),
+    ("s'=h", (r"s=h\sin\varphi",), "by which letter"),
+    (r"\dot x=x", ("x=2s",), "by which letter"),
+    ("y'=1", ("y=|x|",), "by which letter"),
+    ("y'=2x", ("y=x^2", "x=t^3"), "by which letter"),
+    ("y'=0", ("y=a^2",), "by which letter"),
 ]
 
 

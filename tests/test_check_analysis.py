@@ -204,7 +204,7 @@ REFUSED = [
     (r"\sqrt{x^2}=\pm x", "both signs, or either"),
     (r"y=\pm2x", "both signs, or either"),
     (r"\frac{dy}{dx}=2x", "does that depend on it"),
-    (r"\frac{d}{dx}(ay)=2x", "If y depends on x, say its value, --let 'y=…'"),
+    (r"\frac{d}{dx}(ay)=2x", "If y depends on x, give its value, --let 'y=…'"),
     (r"\frac{d\max(x,1)}{dx}=1", "kinks or steps"),
     (r"\frac{d}{dx}x\sin x=1", "how far does the derivative reach"),
     (r"\frac{dx^2}{dx}=2x", "what is differentiated"),

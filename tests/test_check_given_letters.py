@@ -211,9 +211,9 @@ def test_an_equation_gives_a_letter(where: str, latex: str, true: str, wrong: st
 
 
 def test_an_equation_that_gives_no_letter_is_refused() -> None:
-    with pytest.raises(ValueError, match="it gives no letter by the others"):
+    with pytest.raises(ValueError, match="it cannot be solved for a letter"):
         judge("x=y", "x^2=y^2")
-    with pytest.raises(ValueError, match="c would depend on what others do"):
+    with pytest.raises(ValueError, match="c would depend on what others depend on"):
         judge(r"x\dot x+y\dot y=0", "x^2+y^2=c")
 
 
@@ -285,7 +285,7 @@ OPEN_RATES = [
 
 @pytest.mark.parametrize(("value", "latex"), OPEN_RATES)
 def test_what_may_move_in_a_value_is_asked(value: str, latex: str) -> None:
-    with pytest.raises(ValueError, match=r"by what|may depend"):
+    with pytest.raises(ValueError, match=r"by which letter|may depend"):
         judge(latex, values=(value,))
 
 

@@ -115,5 +115,5 @@ def test_only_what_is_written_needs_the_formatter(
     write(tmp_path / "derivations", PROVED)
     result = run("regenerate", "--root", str(tmp_path))
     assert (result.exit_code, list(tmp_path.iterdir())) == (1, [tmp_path / "derivations"])
-    said = "what is generated needs ruff, the extra regenerate: pip install"
+    said = "generated code needs ruff, the extra regenerate: pip install"
     assert said in " ".join(result.output.split())

@@ -102,5 +102,5 @@ def test_what_is_in_the_way_is_named_and_kept(tmp_path: Path) -> None:
 
 
 def test_no_derivation_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="locations: there are none"):
+    with pytest.raises(ValueError, match="locations: must have at least one"):
         regenerate([], tmp_path)

@@ -80,7 +80,7 @@ def test_a_kernel_that_is_not_proved_is_not_shipped(
     for command in COMMANDS:
         result = run(*command)
         assert result.exit_code == 1, (command, result.output)
-        assert f"mine: {verdict}, only what is proved is shipped: " in result.output
+        assert f"mine: {verdict}, but only proved rows are shipped: " in result.output
         assert where in result.output
     assert [path.name for path in tmp_path.iterdir()] == ["derivations"]
 
@@ -126,7 +126,7 @@ def test_a_row_of_the_paper_cannot_stand_for_the_row_of_a_kernel(tmp_path: Path)
     folder = write(tmp_path, f'sin(x), Form("cosine", cos(x)), rows=({row},)')
     result = run("verify", "--derivations", str(folder))
     assert result.exit_code == 1
-    assert "given twice by the paper and its forms: rows ['kernel q']" in result.output
+    assert "rows given twice by the paper and its forms: ['kernel q']" in result.output
 
 
 def test_a_row_stands_on_the_page_of_a_quantity_that_there_is(tmp_path: Path) -> None:
@@ -134,7 +134,7 @@ def test_a_row_stands_on_the_page_of_a_quantity_that_there_is(tmp_path: Path) ->
     folder = write(tmp_path, f'sin(x), Form("sine", sin(x)), rows=({says}, quantities=("p",)),)')
     result = run("verify", "--derivations", str(folder))
     assert result.exit_code == 1
-    assert "rows name quantities that there are none of: ['p']" in result.output
+    assert "rows name unknown quantities: ['p']" in result.output
 
 
 def test_a_printed_row_stands_in_its_paper() -> None:

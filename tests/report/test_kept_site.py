@@ -20,7 +20,7 @@ from mechproof.tools.cache import VARIABLE
 
 AGED = 10.0
 # The message shown when papers are loaded for their pages.
-LOADS = "loading what was judged before"
+LOADS = "loading earlier verdicts"
 SMALL = """
 from sympy import Symbol
 

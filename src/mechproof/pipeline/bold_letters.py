@@ -87,12 +87,12 @@ def refuse_unclear(letters: Iterable[str], bold: Iterable[str]) -> None:
             raise ValueError(f"{latex}: one letter, or a product? Print \\mathbf for each letter")
         if _UNITY.fullmatch(latex) or (r"\hat" in latex and _BOLD.search(latex)):
             raise ValueError(
-                f"{latex}: a unit vector or matrix, or any? Print its components, or another letter"
+                f"{latex}: a unit vector or matrix, or not? Print its components, or another letter"
             )
     plain = {letter for letter in letters if not _BOLD.fullmatch(letter)}
     if bold and {"x", "y"} <= plain:
         raise ValueError(
-            f"x and y beside {bold[0]}: components of it? Print all of them, or others"
+            f"x and y next to {bold[0]}: its components? Print all of them, or other letters"
         )
     for latex in bold:
         found = _BOLD.fullmatch(latex)
@@ -100,7 +100,7 @@ def refuse_unclear(letters: Iterable[str], bold: Iterable[str]) -> None:
         for letter in sorted(plain):
             if _bare(name) in (_bare(letter), _bare(letter.partition("_")[0])):
                 raise ValueError(
-                    f"{letter} beside {latex}: its length, or a component of it? Print |{latex}| "
+                    f"{letter} next to {latex}: its length, or a component of it? Print |{latex}| "
                     "for the length, all components for the vectors, or another letter"
                 )
 
@@ -129,8 +129,8 @@ def compare_bold(row: Row, variables: Sequence[Variable]) -> Row:
     shapes = [getattr(side, "shape", ()) for side in (one, other)]
     if shapes[0] != shapes[1]:
         raise ValueError(
-            f"the sides do not have the same size, {shapes[0]} and {shapes[1]}: bold letters are "
-            "taken for vectors of 3 components, capitals for 3x3 matrices where that fits"
+            f"the sides differ in size, {shapes[0]} and {shapes[1]}: bold letters are taken as "
+            "vectors of 3 components, capitals as 3x3 matrices where that fits"
         )
     for symbol, entries in given.items():
         for side, rest in ((one, other), (other, one)):

@@ -111,7 +111,7 @@ def _prove_least(
                 found[file] = CoqBound(named[file], file, bound)
                 accepted[file] = text
     write_folder(folder, accepted)
-    lost = f"Coq's analysis proves none up to {SHARES[-1]:g} times ours"
+    lost = f"Coq's analysis proves no bound up to {SHARES[-1]:g} times ours"
     return tuple(found.get(file, CoqBound(name, reason=lost)) for file, name in named.items())
 
 

@@ -161,7 +161,7 @@ def _find_range(letter: sp.Symbol, within: sp.Set) -> Range:
     low, high = (within.inf, within.sup) if isinstance(within, sp.Interval) else (-sp.oo, sp.oo)
     for end, sign in ((low, "<="), (high, ">=")):
         if end.is_infinite:
-            raise ValueError(f"--where gives no number that is {sign} {letter}")
+            raise ValueError(f"--where gives no number {sign} {letter}")
     return _take_end(low, is_low=True), _take_end(high, is_low=False)
 
 

@@ -46,7 +46,7 @@ def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
         if found and is_unit(found[1]) and not {*found[1]} & {*letters}:
             raise ValueError(
                 f"--let {text}: {found[1]} after a number: units are not read in a single "
-                "equation, but in a paper; give the number alone, all of them in units that fit"
+                "equation, only in papers; give numbers alone, all in matching units"
             )
 
 
@@ -67,14 +67,14 @@ def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.
             alone.append((letter, sp.expand(letter - sum_of_it / factor) ** power))
     if not alone:
         raise ValueError(
-            f"--where {equation.lhs}={equation.rhs}: it gives no letter by the others: say the "
-            "value of one by --let"
+            f"--where {equation.lhs}={equation.rhs}: it cannot be solved for a letter: "
+            "give the value of one by --let"
         )
     letter, value = min(alone, key=lambda one: one[0] not in moving.letters)
     if letter not in (equation.lhs, *moving.letters) and value.free_symbols & {*moving.letters}:
         raise ValueError(
-            f"--where {equation.lhs}={equation.rhs}: {letter} would depend on what others do: say "
-            "the value of another one by --let"
+            f"--where {equation.lhs}={equation.rhs}: {letter} would depend on what others depend "
+            "on: give the value of another one by --let"
         )
     return letter, value
 
@@ -86,18 +86,18 @@ def give_values(
     given: dict[sp.Basic, sp.Expr] = {}
     for letter, value in values:
         if letter in given:
-            raise ValueError(f"--let {letter}={value}: {letter} has a value already")
+            raise ValueError(f"--let {letter}={value}: {letter} already has a value")
         given[letter] = value
     for symbol, value in given.items():
         if any(depends(s, {symbol}, given) for s in value.free_symbols):
-            raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
+            raise ValueError(f"--let {symbol}={value}: the letter is defined by itself")
     counts = {v.symbol for v in variables if v.within == sp.S.Naturals}
     for symbol in counts & given.keys():
         value = given[symbol]
         if not (value.is_integer and value.is_nonnegative):
             raise ValueError(
-                f"--let {symbol}={value}: {symbol} is a natural number here; say --natural for "
-                "letters of its value"
+                f"--let {symbol}={value}: {symbol} is a natural number here; add --natural for "
+                "the letters of its value"
             )
     return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
 
@@ -125,8 +125,8 @@ def find_given_moving(
     unclear = derived - {*given} - {name_symbol(str(letter)) for letter in moving.letters}
     if derived & {*given} and unclear:
         raise ValueError(
-            f"derivatives of {min(unclear)} and of a letter that has a value: by what? Print each "
-            r"as a fraction, \frac{d}{dx}(…)"
+            f"derivatives of {min(unclear)} and of a letter with a value: by which letters? Print "
+            r"each as a fraction, \frac{d}{dx}(…)"
         )
     return moving
 

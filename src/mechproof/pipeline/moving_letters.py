@@ -140,7 +140,7 @@ def find_moving(
     stray = below - {by for by, _ in steps.values()}
     if met and stray:
         raise ValueError(
-            f"{met[0][0].latex[0]} beside a derivative by {min(stray).strip('_')}: print each "
+            f"{met[0][0].latex[0]} next to a derivative by {min(stray).strip('_')}: print each "
             r"derivative as a fraction, \frac{d}{dx}(…)"
         )
     letters: dict[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = {}
@@ -153,7 +153,7 @@ def find_moving(
         if others and (by in below or "'" in differentials):
             other = shown[others[0]].latex[0] if others[0] in shown else others[0]
             raise ValueError(
-                f"{other} may depend on {by} as others do: print its derivatives as well, or "
+                f"{other} may depend on {by}, as others do: print its derivatives, too, or "
                 "call it c if it is a constant"
             )
         if others:
@@ -209,8 +209,8 @@ def _refuse_others(
     names = sorted({_name_base(rate) for _, rate in met} or {*moving})
     if names and (found := sorted({*OTHERWISE} & {*differentials})):
         raise ValueError(
-            f"{names[0]} depends on another letter, and {found[0]} stands beside its derivative: "
-            "that is not worked out"
+            f"{names[0]} depends on another letter, and {found[0]} appears next to its derivative: "
+            "that is not evaluated"
         )
     if moving and differentials and len({bool(rate["dots"]) for _, rate in met}) > 1:
         raise ValueError("derivatives with dots and with primes in one equation: by which letters?")
@@ -282,7 +282,7 @@ def _differentiate(
         (by,) = letters.values()
     if by is None or not given.isdisjoint(letters.values()) or value.has(*UNSMOOTH, *OF_SIGNS):
         raise ValueError(
-            f"{latex} is a derivative of a letter that has the value {value}: by what? Print it "
+            f"{latex} is a derivative of a letter with value {value}: by which letter? Print it "
             rf"as a fraction, \frac{{d}}{{d{'t' if rate['dotted'] else 'x'}}}(…)"
         )
     order = len(rate["primes"] or rate["dots"])

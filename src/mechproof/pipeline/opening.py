@@ -85,8 +85,8 @@ def open_paper(location: Path, paper: Paper) -> Opened:
     derived = (n for quantity in opened.derivatives for n in list_derivative_numbers(quantity))
     counted = Counter([*(row.number for row in rows), *derived])
     if twice := [number for number, count in counted.items() if count > 1]:
-        raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
+        raise DerivationError(f"{location}: rows given twice by the paper and its forms: {twice}")
     known = {quantity.name for quantity in paper.quantities}
     if unknown := sorted({name for row in rows for name in row.quantities} - known):
-        raise DerivationError(f"{location}: rows name quantities that there are none of: {unknown}")
+        raise DerivationError(f"{location}: rows name unknown quantities: {unknown}")
     return opened

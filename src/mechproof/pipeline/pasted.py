@@ -272,7 +272,7 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
                 "number; give the value of the letter by --let"
             )
         if symbol.name in bound:
-            raise ValueError(f"{symbol} is bound on a side: use another letter for one of them")
+            raise ValueError(f"{symbol} is also a bound letter: use another letter for one of them")
         if defined.count(symbol) > 1:
             raise ValueError(f"{symbol} is defined twice: give one definition by --let")
         if symbol in said:
@@ -302,7 +302,7 @@ def _refuse_running(variables: Sequence[Variable], pasted: Pasted, reader: Reade
     running = {letter.text for letter in bound if isinstance(letter, Letter)}
     for text in (p.text for p in parts if isinstance(p, Letter) and "(" in p.text):
         if met := sorted(running & {*list_signs(text.partition("(")[2].rpartition(")")[0])}):
-            raise ValueError(f"{text} is named as one quantity, but {met[0]} runs: write its value")
+            raise ValueError(f"{text} is named as one quantity, but {met[0]} runs: give its value")
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(

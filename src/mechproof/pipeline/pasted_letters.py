@@ -36,18 +36,18 @@ from mechproof.record import (
 )
 
 COMMAND = Remedies(
-    name="Say --name '{0}'.",
-    bracket="Say --factor '{0}' for the product, or --name '{0}(…)', with what stands in the "
+    name="Add --name '{0}'.",
+    bracket="Add --factor '{0}' for the product, or --name '{0}(…)', with the content of the "
     "bracket, for one quantity that nothing changes.",
     function="Print a function that is the same everywhere (ln, lg, arctg).",
     scope="Print another letter for '{0}' where it is bound.",
-    lower_limit="Say --from 0, or where else it starts.",
+    lower_limit="Add --from 0, or wherever it starts.",
     family="Leave --name '{0}' out.",
-    membership="Print an interval as a relation, 0<x<1; say --natural for a letter that counts "
+    membership="Print an interval as a relation, 0<x<1; add --natural for a letter that counts "
     "from 1. Letters are real anyway.",
     rate=r"Print a derivative as a fraction, \frac{{d}}{{dx}}(…). Otherwise:",
     sign="",
-    depends="If {0} depends on {1}, say its value, --let '{0}=…'. Otherwise:",
+    depends="If {0} depends on {1}, give its value, --let '{0}=…'. Otherwise:",
 )
 _OPERATOR = re.compile(r"\\operatorname\*?\s*\{\s*(\w+)\s*\}")
 _IMAGINARY = (r"\mathrm{i}", r"\mathrm{j}", "j")
@@ -229,13 +229,13 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
         if letter in _IMAGINARY:
             is_one = "may be" if letter == "j" else "is"
             raise ValueError(
-                f"{letter} {is_one} the imaginary unit: complex numbers are not read in a single "
-                f"equation, but in a paper; say --name '{letter}' where it is a real number"
+                f"{letter} {is_one} the imaginary unit: complex numbers are read in papers, not in "
+                f"a single equation; add --name '{letter}' if it is a real number"
             )
         if letter in operators:
             raise ValueError(
-                f"{letter} is printed as an operator, which is not known; say --name "
-                f"'{letter}' where it is a number"
+                f"{letter} is printed as an operator, but is unknown; add --name "
+                f"'{letter}' if it is a number"
             )
 
 
@@ -243,8 +243,8 @@ def _refuse_matrices(letters: Collection[str], prints: Iterable[str]) -> None:
     """Refuse a letter printed the way matrices are, in square brackets or with a sign T."""
     for letter, shown in find_possible_matrices(letters, prints):
         raise ValueError(
-            rf"{letter} may be a matrix, as {shown} looks: print it bold, \mathbf {letter}, or say "
-            f"--name '{letter}' where it is a number"
+            rf"{letter} may be a matrix, as {shown} suggests: print it bold, \mathbf {letter}, or "
+            f"add --name '{letter}' if it is a number"
         )
 
 
@@ -292,7 +292,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
         return None
     read = Reader((), None, COMMAND).parse(pasted.lower_limit)
     if len(read.chains) > 1 or read.chains[0].relations:
-        raise ValueError(f"{pasted.lower_limit}: a limit is one expression")
+        raise ValueError(f"{pasted.lower_limit}: a limit must be a single expression")
     limit: sp.Expr = read.meaning().of(read.chains[0].members[0])
     return limit
 

@@ -60,7 +60,7 @@ def _load_others(
     others = [place for place in locations if place not in kept]
     found = dict(zip(locations, ledgers, strict=True))
     if others:
-        with progress("loading what was judged before") as tell:
+        with progress("loading earlier verdicts") as tell:
             judged = restore_papers(
                 [found[one] for one in others], others, limit=limit, report=tell
             )

@@ -35,8 +35,8 @@ from mechproof.record import Row
 from mechproof.tools.made import ForeignFileError
 from mechproof.tools.processes import START, WorkerError, run_tasks
 
-WITHOUT_ROW = "the print is judged, but the paper's module has no row of it"
-BESIDE_OTHERS = "it follows from other equations, and scripts have one row each"
+WITHOUT_ROW = "the print is judged, but the paper's module has no row for it"
+BESIDE_OTHERS = "it follows from other equations, but each script has one row"
 Task = tuple[int, int]
 
 

@@ -214,7 +214,7 @@ def give_unknown(
     others = [v for v in variables if v.symbol not in known]
     for name, latex in ((name_symbol(v.latex[0]), v.latex[0]) for v in others):
         if not moving_letters.is_constant(name, ()) and name not in _RUNNING:
-            raise ValueError(f"{latex} may be a function as {min(unknown)} is: call it c if not")
+            raise ValueError(f"{latex} may be a function, like {min(unknown)}: call it c if not")
     symbols = {v.latex[0]: v.symbol for v in variables if v.latex}
     return [
         (symbols[x], AnyFunction(Str(x), sp.S.Zero, called[symbols[x]])) for x in sorted(unknown)

@@ -95,9 +95,9 @@ def regenerate(
     title of each stage that takes its time; it returns a context in which the stage runs.
     """
     if not locations:
-        raise ValueError("locations: there are none, at least one derivation is needed")
+        raise ValueError("locations: must have at least one derivation")
     with name_faults(ImportError):
-        require_modules("what is generated", "regenerate", ("ruff",))
+        require_modules("generated code", "regenerate", ("ruff",))
     ledgers = judge_papers(locations, use_cache=use_cache, limit=limit, progress=progress)
     refuse_failures(ledgers)
     papers = [ledger.paper for ledger in ledgers]

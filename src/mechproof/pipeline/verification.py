@@ -319,7 +319,7 @@ def list_failures(ledgers: Sequence[Ledger]) -> list[str]:
 
 def _describe_refusal(row: Judgement) -> str:
     where = next((item for item in row.evidence if item.at), None)
-    text = f"{row.number} is {row.verdict}, only what is proved is shipped: {row.reason}"
+    text = f"{row.number} is {row.verdict}, but only proved rows are shipped: {row.reason}"
     if where is None:
         return text
     at = ", ".join(f"{name} = {value}" for name, value in where.at.items())
