@@ -129,7 +129,7 @@ def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_pa
     rows = json.loads(file.read_text(encoding="utf-8"))["rows"]
     assert [row["verdict"] for row in rows] == verdicts
     assert all(f"read as   {row['read_as']}" in done.output for row in rows)
-    assert "What is not stated is assumed" in done.output
+    assert "Unless you say otherwise" in done.output
 
 
 @pytest.mark.usefixtures("judged_here")

@@ -124,7 +124,7 @@ def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> 
     assert "--name = 'int': must be a valid C identifier" in run(*second, "--name", "int").output
     whole = run("emit", "c", "elliptic_planetary", "--name", "drive", "--out", str(tmp_path))
     assert whole.exit_code == 2
-    assert "--name goes with --error" in whole.output
+    assert "--name needs --error" in whole.output
 
 
 @pytest.mark.slow

@@ -102,7 +102,7 @@ def test_what_coq_refuses_by_the_record_is_left_out(
     monkeypatch.setattr("mechproof.pipeline.row_scripts.read_refused", lambda folder: refused)
     result = run("certify", str(place), "--out", str(tmp_path / "coq"))
     assert "2 scripts of 3 rows" in " ".join(result.output.split())
-    assert "left out: 1 scripts that Coq is recorded to refuse" in " ".join(result.output.split())
+    assert "left out: 1 scripts recorded as refused by Coq" in " ".join(result.output.split())
     assert not (tmp_path / "coq" / "mine_eq_1.v").exists()
 
 

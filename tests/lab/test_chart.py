@@ -317,7 +317,7 @@ def test_records_of_the_folder_are_found_before_those_of_the_package(
         assert any(file.name.startswith(drawn) for file in Path(f"charts of {names}").iterdir())
     told = CliRunner().invoke(app, ["chart", "torque"]).output
     assert "quantity 'torque' is not one of gear.angle, " in told
-    assert "--measured FOLDER has others" in told
+    assert "give --measured for others" in told
 
 
 @pytest.mark.parametrize(

@@ -205,7 +205,7 @@ def test_the_command_emits_it(tmp_path: Path) -> None:
     [
         ((NAME, "--error", "1e-6", "--let", "R1=x"), "--let R1=x: must be NAME=VALUE"),
         ((NAME, "--error", "1e-6", "--let", "R1=66"), "R2 = None: must be given"),
-        ((NAME, "--let", "R1=66"), "--let goes with --error"),
+        ((NAME, "--let", "R1=66"), "--let needs --error"),
         (("--error", "1e-6"), "one SYSTEM.QUANTITY"),
         ((NAME, "--error", "1e-6", "--float32"), "--float32 and --derivatives exclude"),
         (("track_wheel", "--derivatives", "--float32"), "exclude each other"),

@@ -27,7 +27,7 @@ def bound(
         list[str],
         typer.Argument(
             metavar="FILE.fpcore ... | EXPRESSION",
-            help="FPCore files; or LaTeX: an expression, or an equation for its right side.",
+            help="FPCore files; or, in LaTeX, an expression, or an equation for its right side.",
         ),
     ],
     where: Annotated[
@@ -46,7 +46,7 @@ def bound(
         bool,
         typer.Option(
             "--rounded-inputs",
-            help="Take the inputs as real numbers, to be rounded first, not as doubles.",
+            help="Inputs are real numbers that are first rounded, not doubles.",
         ),
     ] = False,
     ulps: Annotated[
@@ -60,7 +60,7 @@ def bound(
         typer.Option(
             "--tolerance",
             metavar="SHARE",
-            help="How close, as a share, a bound is brought to the best one.",
+            help="How close a bound must come to the best one, as a share.",
         ),
     ] = bounding.TOLERANCE,
     parts: Annotated[
@@ -72,8 +72,8 @@ def bound(
         typer.Option(
             "--table",
             metavar="PAGE.md",
-            help="Write a page that compares these bounds with those of Gappa and FPTaylor, where "
-            "they are installed, and with those in cited.json beside the first file.",
+            help="Write a page that compares these bounds with those of Gappa and FPTaylor, if "
+            "installed, and with those in cited.json next to the first file.",
         ),
     ] = None,
     coq: Annotated[
@@ -88,11 +88,11 @@ def bound(
         Path | None, typer.Option("--json", help="Also write the bounds to this file.")
     ] = None,
 ) -> None:
-    """Prove how far rounding moves what straight-line programs compute in doubles.
+    """Prove bounds on the rounding errors of straight-line programs in doubles.
 
     An FPCore file gives each program and, by :pre, the box of its arguments. An expression is
     computed as it would be emitted; --where gives the ranges of its letters. The proved bound holds
-    for every input in the box. The worst input that a search finds is printed beside it.
+    for every input in the box. The worst input that a search finds is printed next to it.
 
     Exit status 0: every program is bounded; 1: one is not; 2: bad usage, or a program that cannot
     be read or is not straight-line.
@@ -160,10 +160,10 @@ def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[bounding.Bo
     if len(files) < len(sources):
         if len(sources) > 1:
             other = next(source for source in sources if source not in files)
-            refuse(f"{other}: is not named as an FPCore file; give an expression alone, in quotes")
+            refuse(f"{other}: does not end in .fpcore; give an expression alone, in quotes")
         return [bounding.read_pasted(pasted)]
     if is_said:
-        refuse("a file gives the ranges of its arguments itself, in :pre")
+        refuse("a file gives the ranges of its own arguments, in :pre")
     return [one for file in files for one in bounding.read_boundings(Path(file))]
 
 

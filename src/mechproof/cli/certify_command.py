@@ -40,13 +40,13 @@ def certify(
         bool,
         typer.Option(
             "--record",
-            help="With --check: record page and digests in DIR/../generated, and do not check "
-            "again what is recorded there and has not changed.",
+            help="With --check: record the page and digests in DIR/../generated, and skip "
+            "scripts that are recorded there and have not changed.",
         ),
     ] = False,
     one_in: Annotated[
         int,
-        typer.Option("--one-in", metavar="N", min=1, help="Have only every N-th script checked."),
+        typer.Option("--one-in", metavar="N", min=1, help="Check only every N-th script."),
     ] = 1,
     functions: Annotated[
         bool,
@@ -62,8 +62,8 @@ def certify(
     """Write a Coq script for every row that is PROVED, REFUTED or CONDITIONAL, for `make`.
 
     Each script states its row in the letters of the paper, with the domain as hypotheses. Before
-    it is written, its text is read back and compared with the row. Scripts that Coq is recorded to
-    refuse are left out. With --check, Coq checks all scripts, those that it does not accept are
+    it is written, its text is read back and compared with the row. Scripts recorded as refused by
+    Coq are left out. With --check, Coq checks all scripts, those that it does not accept are
     removed, and COQ.md lists the file of every row, or why it has none. With --functions, Coq
     proves error bounds of sine, cosine, tangent and small arctangent as compiled kernels compute
     them: what rounding adds, and how far their polynomials are off.
@@ -76,7 +76,7 @@ def certify(
 
     if functions:
         if papers or check or record or one_in > 1:
-            refuse("--functions: takes no paper, nor --check, --record or --one-in")
+            refuse("--functions: takes no papers and no --check, --record or --one-in")
         _prove_functions(out)
         return
     if record and (not check or one_in > 1 or papers):
@@ -126,7 +126,7 @@ def _tell(done: Certified, out: Path) -> None:
     if done.coverage is None:
         say(f"{out}: {done.written} scripts of {done.rows} rows; `make -C {out}` checks them")
         if done.left_out:
-            say(f"left out: {done.left_out} scripts that Coq is recorded to refuse")
+            say(f"left out: {done.left_out} scripts recorded as refused by Coq")
         return
     say(done.coverage.count())
     if done.lost:

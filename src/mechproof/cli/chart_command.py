@@ -128,7 +128,7 @@ def _choose(sources: list[Files], names: tuple[str, ...]) -> Files:
         if found is None:
             known = dict.fromkeys(quantity for files in sources for quantity in files)
             refuse(
-                f"quantity {name!r} is not one of {', '.join(known)}; --measured FOLDER has others"
+                f"quantity {name!r} is not one of {', '.join(known)}; give --measured for others"
             )
         chosen |= found
     return dict(sorted(chosen.items()))

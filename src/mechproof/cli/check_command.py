@@ -79,7 +79,7 @@ def check(
     limit: Annotated[
         float,
         typer.Option(
-            "--limit", metavar="SECONDS", min=0, help="Give up an equation after so long."
+            "--limit", metavar="SECONDS", min=0, help="Give up on an equation after this time."
         ),
     ] = LIMIT,
 ) -> None:
@@ -100,7 +100,7 @@ def check(
     options.clear_json(json_file)
     if files := _find_files(equations):
         if start or any(said.values()):
-            refuse("of a paper, letters are declared in its block of letters, not by options")
+            refuse("the letters of a paper are declared in its block of letters, not by options")
         met = _check_files(files, draft=draft, show_all=show_all, json_file=json_file, limit=limit)
     elif draft:
         refuse("--draft needs a paper")
@@ -186,10 +186,10 @@ def print_checked(paper: CheckedPaper, *, show_all: bool) -> None:
         say(f"{place}: {reason}")
     if paper.taken:
         say(
-            "There is no block of letters, so each letter is taken to be a real number, or the "
-            "matrix it is printed or, in bold, used as. --draft writes a block for you to confirm."
+            "There is no block of letters, so each letter is taken to be a real number, or a "
+            "matrix if printed as one or, in bold, used as one. --draft writes a block to confirm."
         )
-        say(f"  letters taken: {', '.join(paper.taken)}")
+        say(f"  letters assumed: {', '.join(paper.taken)}")
     counted = Counter(row.outcome for row in paper.rows)
     say(", ".join(f"{outcome} {number}" for outcome, number in sorted(counted.items())))
 

@@ -55,7 +55,7 @@ EXAMPLES = {
     "verify SYSTEM": "judge one; --all shows every row",
     "new FILE.py": "begin a paper of your own (or FILE.tex)",
     "verify FILE.py": "judge it",
-    "report": "all of it as pages for a browser",
+    "report": "all results as pages for a browser",
     r"check '\sin 2x=2\sin x'": "judge one equation",
     "figures": "the papers' figures, redrawn",
     "chart QUANTITY": "time against error",
@@ -176,7 +176,7 @@ def regenerate(
             "there is no folder derivations here: change to its parent, or give --derivations DIR"
         )
     if better and check:
-        refuse("--improve and --check: give only one of them; a check writes nothing")
+        refuse("--improve and --check: give only one; a check writes nothing")
     if better:
         offer_forms((), places, write=True, limit=SEARCH_LIMIT)
     from mechproof.pipeline import stages
@@ -199,7 +199,7 @@ def regenerate(
     if check and done.changes:
         say(f"run `mechproof regenerate{places.options}`")
         for other in list_other_versions("regenerate"):
-            say(f"generated files may differ by {other}: {tell_install('regenerate')}")
+            say(f"generated files may differ because of {other}: {tell_install('regenerate')}")
         raise typer.Exit(1)
     if done.systems and not (check or places.is_packaged):
         folder, package = places.generated.absolute().parent, places.generated.name
@@ -211,7 +211,7 @@ def measure(
     quantities: options.Quantities = None,
     quick: Annotated[
         bool,
-        typer.Option("--quick", help="Take few points and short timings: seconds per quantity."),
+        typer.Option("--quick", help="Use few points and short timings: seconds per quantity."),
     ] = False,
     processes: Annotated[
         int,

@@ -76,14 +76,14 @@ def emit_c(
 ) -> None:
     """Write a header and a source in C99 for each system; they need `<math.h>` and `<stddef.h>`.
 
-    A Makefile beside them builds shared libraries; link with -lm.
+    A Makefile next to them builds shared libraries; link with -lm.
 
     Each kernel is a function of one point; the function with _array after its name takes many.
     Sums over axes of any length take the number of their terms first. Quantities that are computed
     in one pass are returned through pointers.
 
     With --derivatives the functions are called SYSTEM_derivatives_QUANTITY, store one number for
-    each argument, and are written to files of their own.
+    each argument, and are written to separate files.
 
     With --error a kernel for fixed parameters is written, as cheap as the error permits:
     elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475, with
@@ -96,7 +96,7 @@ def emit_c(
     2: bad usage.
     """
     if error is None and (let or name is not None):
-        refuse(f"{'--let' if let else '--name'} goes with --error")
+        refuse(f"{'--let' if let else '--name'} needs --error")
     if float32 + derivatives + (error is not None) > 1:
         refuse("--error, --float32 and --derivatives exclude each other")
     if error is not None:
@@ -175,7 +175,7 @@ def _refuse_quantities(names: list[str]) -> None:
 def _find_folder(names: list[str], places: Places) -> Path | None:
     """Return the folder of the derivation that is tailored, None for one of the package."""
     if len(names) != 1:
-        refuse("--error goes with one SYSTEM.QUANTITY")
+        refuse("--error needs exactly one SYSTEM.QUANTITY")
     is_there = names[0].partition(".")[0] in find_systems(places.derivations)
     return places.derivations if is_there and not places.is_packaged else None
 

@@ -25,13 +25,15 @@ def improve(
     ] = None,
     write: Annotated[
         bool,
-        typer.Option("--write", help="Keep the forms found beside the derivation, to be shipped."),
+        typer.Option("--write", help="Keep the forms found next to the derivation, to be shipped."),
     ] = False,
     derivations: options.Derivations = None,
     root: options.Root = None,
     limit: Annotated[
         float,
-        typer.Option("--limit", metavar="SECONDS", min=0, help="Give up a search after so long."),
+        typer.Option(
+            "--limit", metavar="SECONDS", min=0, help="Give up on a search after this time."
+        ),
     ] = SEARCH_LIMIT,
 ) -> None:
     """Search the named rewrites for forms that lose fewer digits than those that are shipped.
@@ -39,7 +41,7 @@ def improve(
     Each shipped form is compared with rewritten forms of its definition on points chosen to hurt. A
     form is offered only if its source is PROVED to compute the definition; its error is measured on
     other points than those it was chosen on. --write keeps the offered forms in FILE.forms.json
-    beside the derivation (forms.json in a folder), where `regenerate` finds them; the form shipped
+    next to the derivation (forms.json in a folder), where `regenerate` finds them; the form shipped
     before becomes a rival. `mechproof regenerate --improve` does both.
 
     Exit status 0: searched; 1: a search fails or takes too long, or a derivation fails; 2: bad

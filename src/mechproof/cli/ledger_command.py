@@ -188,7 +188,7 @@ def _print_padded(rows: Sequence[Sequence[str]]) -> None:
 def print_details(row: Judgement, names: tuple[str, str] | None = None) -> None:
     """Print all that the ledger has on a row; `names` are those of its two sides."""
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
-    lines = [("stands at", str(row.place))] if row.place else []
+    lines = [("place", str(row.place))] if row.place else []
     lines += [("printed", _plain(row.printed_latex))]
     lines += [("read as", row.read_as)] if row.read_as else []
     lines += [("compared", row.compared_with)] if row.compared_with else []

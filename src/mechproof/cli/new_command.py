@@ -24,10 +24,10 @@ def new(
         Path, typer.Argument(metavar="FILE.py|FILE.tex", help="The file to be written.")
     ],
 ) -> None:
-    """Write a small paper that verifies, to begin with.
+    """Write a small paper that verifies, as a start.
 
     FILE.tex is a source with its block of letters; FILE.py is a derivation with a row and a kernel,
-    which takes letters and prints from a source of the same name if there is one beside it.
+    which takes letters and prints from a source of the same name if there is one next to it.
 
     Exit status 0: written; 2: the file exists already, or its name is not allowed.
     """

@@ -25,8 +25,8 @@ console = Console(highlight=False, emoji=False)
 errors = Console(stderr=True, highlight=False, emoji=False)
 RULE = (
     "Derivations are taken from --derivations DIR (or ROOT/derivations with --root ROOT), else "
-    "from the folder ./derivations if there is one, else from the package. What is generated from "
-    "DIR goes to DIR/../generated."
+    "from the folder ./derivations if there is one, else from the package. Files generated from "
+    "DIR go to DIR/../generated."
 )
 
 
@@ -81,7 +81,7 @@ class Places:
 def find_places(derivations: Path | None, root: Path | None) -> Places:
     """Return the folders by the rule; refuse an option that names no folder."""
     if derivations and root:
-        refuse("--derivations and --root: give only one of them")
+        refuse("--derivations and --root: give only one")
     if root:
         return _check(root / "derivations", f" --root {root}")
     if derivations:
@@ -193,7 +193,7 @@ Limit = Annotated[
         "--limit",
         metavar="SECONDS",
         min=0,
-        help="Stop a row, or the loading of a derivation, after so long and report an error.",
+        help="Stop a row, or the loading of a derivation, after this time and report an error.",
     ),
 ]
 Pictures = Annotated[
