@@ -40,7 +40,7 @@ def test_a_folder_of_other_things_is_refused_before_anything_is_judged(tmp_path:
     (tmp_path / "thesis.tex").write_text("mine")
     result = run(str(write_slider_crank(tmp_path)), "--out", str(tmp_path))
     assert result.exit_code == 2
-    assert "holds no report" in result.output
+    assert "is not a mechproof report" in result.output
     assert "judging" not in result.output
 
 

@@ -35,7 +35,7 @@ def test_empty_folders_of_the_last_report_go(tmp_path: Path) -> None:
 def test_a_folder_that_holds_something_else_is_refused(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("mine")
     for call in (lambda: check_folder(tmp_path), lambda: write_folder(tmp_path, FILES)):
-        with pytest.raises(ForeignFileError, match="holds no report"):
+        with pytest.raises(ForeignFileError, match="is not a mechproof report"):
             call()
     assert list_all(tmp_path) == {"thesis.tex"}
 

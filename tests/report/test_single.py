@@ -55,6 +55,6 @@ def test_the_command_replaces_a_report_and_nothing_else(tmp_path: Path) -> None:
     out.write_text("a page of my own", encoding="utf-8")
     refused = run(str(paper), "--single", "--out", str(out))
     assert refused.exit_code == 2
-    assert "is there and is no report of mechproof" in refused.output
+    assert "exists and is not a mechproof report" in refused.output
     assert out.read_text(encoding="utf-8") == "a page of my own"
     assert run(str(paper), "--single", "--out", "").exit_code == 2

@@ -192,7 +192,7 @@ def list_calls(
         (
             "numba",
             f"{source.home}.compiled",
-            "The same as one compiled loop; with numbers also inside your own compiled loops.",
+            "The same as one compiled loop; for numbers, also inside your own compiled loops.",
         ),
     ):
         needed = "import numpy as np\n\n" if "np." in call else ""

@@ -266,7 +266,7 @@ def check_file(file: Path) -> None:
     if not file.exists():
         return
     if not file.is_file() or MADE.encode() not in file.read_bytes()[:MOST_OF_HEAD]:
-        raise ForeignFileError(f"{file}: is there and is no report of mechproof; name another file")
+        raise ForeignFileError(f"{file}: exists and is not a mechproof report; name another file")
 
 
 def join_pages(files: Mapping[str, str]) -> str:

@@ -223,7 +223,7 @@ def _list_sections(
     yield Section(
         "corrected",
         "With the correction inserted",
-        "What follows from a finding is true with its correction in the place of the print.",
+        "What follows from a finding is true with its correction in place of the print.",
         tuple(_place([describe_row(r, anchors[r.number], *about) for r in others], figures)),
     )
 

@@ -39,17 +39,17 @@ LOOKS: Mapping[str, VerdictStyle] = {
     verdict: VerdictStyle(key, word, sign, MEANINGS[verdict]) for verdict, key, word, sign in _SHOWN
 }
 MEASURED = VerdictStyle(
-    "measured", "measured", "∿", "nothing is proved of this code, it is measured"
+    "measured", "measured", "∿", "nothing is proved about this code; it is measured"
 )
 NOT_JUDGED = VerdictStyle(
-    "failed", "not judged", "!", "the row could not be judged: what failed is shown"
+    "failed", "not judged", "!", "the row could not be judged; the failure is shown"
 )
 LEFT: Mapping[State, VerdictStyle] = {
     state: VerdictStyle("undecided", state.value, "!", meaning)
     for state, meaning in (
-        (State.NOT_READ, "the print could not be read: why, and what would help, is shown"),
+        (State.NOT_READ, "the print could not be read; the reason and what would help are shown"),
         (State.NOT_JUDGED, "it was read but could not be judged, for the reason shown"),
-        (State.SKIPPED, "the block of letters says that it is not to be judged"),
+        (State.SKIPPED, "the block of letters excludes it from judgement"),
     )
 }
 

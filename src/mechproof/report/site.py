@@ -236,7 +236,7 @@ def check_folder(folder: Path) -> None:
     # A first report that was killed leaves only the files that it was about to put in place.
     if LIST not in names and names - {STAGED}:
         raise ForeignFileError(
-            f"{folder}: is not empty and holds no report of mechproof; name another folder"
+            f"{folder}: is not empty and is not a mechproof report; name another folder"
         )
     Made(folder, LIST).read_list()
 
