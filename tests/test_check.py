@@ -212,8 +212,8 @@ REFUSED = [
 
 LEFT_OPEN = [
     (r"\int_0^1\int_0^1\frac1{x-y}\,dx\,dy=0", "an integral of an integral cannot be enclosed"),
-    (r"\int_0^1\max(t,0)\,dt=\frac12", "is zero is not shown"),
-    (r"\int_0^1\operatorname{arth}\frac t2\,dt=1", "is zero is not shown"),
+    (r"\int_0^1\max(t,0)\,dt=\frac12", "is not shown to be zero"),
+    (r"\int_0^1\operatorname{arth}\frac t2\,dt=1", "is not shown to be zero"),
 ]
 
 

@@ -118,7 +118,7 @@ WRONG = {
     "a domain without end": (
         "within=Interval(0, Rational(7, 10))",
         "within=Interval(0, oo)",
-        "e runs without end: state a closed interval of it",
+        "e is not bounded: state a closed interval for it",
     ),
 }
 

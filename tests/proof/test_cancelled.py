@@ -166,4 +166,4 @@ def test_infinity_is_no_other_value(latex: str, verdict: Verdict) -> None:
 def test_a_side_without_a_value_is_told() -> None:
     (judgement,) = judge_pasted(Pasted(r"\frac{x^2-1}{x-1}=x+1", values=("x=1",))).judgements
     assert judgement.verdict is Verdict.UNDECIDED
-    assert judgement.reason == "a side has no value for what is given"
+    assert judgement.reason == "a side has no value for the given letters"

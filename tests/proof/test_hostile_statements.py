@@ -291,7 +291,7 @@ def test_what_is_too_much_work_is_left_open_at_once(name: str) -> None:
 TAUGHT: dict[str, tuple[Statement, str]] = {
     "sign under a root": (
         Equality(sqrt((x**3 - y) ** 2), Abs(x**3 - y) + sp.erf(x) + sp.erfc(x) - 1),
-        "is zero is not shown",
+        "is not shown to be zero",
     ),
     "break": (
         Equality(Integral(sign(cos(t)), (t, 0, x)), asin(sin(x))),

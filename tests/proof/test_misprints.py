@@ -63,13 +63,13 @@ def test_a_relation_of_unlike_sides_is_ill_formed() -> None:
 
 
 def test_without_a_correction_another_dimension_may_be_our_fault() -> None:
-    with pytest.raises(RecordError, match=r"unlike dimension.*its correction has to be given"):
+    with pytest.raises(RecordError, match=r"different dimensions.*give its correction"):
         judge_print("s=r^2w", None)
 
 
 @pytest.mark.parametrize("latex", ["s=r^2w", "s=2rw"])
 def test_a_correction_of_another_dimension_is_our_fault(latex: str) -> None:
-    with pytest.raises(RecordError, match="unlike dimension"):
+    with pytest.raises(RecordError, match="different dimensions"):
         judge_print(latex, "s=r^3w")
 
 

@@ -58,14 +58,14 @@ REFUSED = {
     "too few steps": (
         Root(KEPLER, (E, M - 1, M + 1), START, steps=3),
         {"M": sp.S.Reals, "e": between("0", "0.6")},
-        "3 steps of Newton's leave",
+        "after 3 Newton steps the error may be",
         "4 are enough there",
     ),
     "a start from which it leaves": (
         Root(INVOLUTE, (x, sp.Rational(1, 20), sp.Rational(7, 5)), sp.Rational(1, 20)),
         {"y": between("0.1", "0.4")},
         "Newton's steps from the start",
-        "not shown to get near the root",
+        "not shown to approach the root",
     ),
     "two roots": (
         Root(sp.sin(x) - y, (x, 0, 3)),
@@ -82,7 +82,7 @@ REFUSED = {
     "a double root": (
         Root((x - y) ** 2, (x, 0, 1)),
         {"y": between("0.3", "0.6")},
-        "the derivative has no one sign near",
+        "the derivative may change sign near",
         "at y = ",
     ),
     "a bracket without width": (
@@ -94,7 +94,7 @@ REFUSED = {
     "sizes without end": (
         Root(x**3 + x - y, (x, 0, y + 1), y),
         {"y": sp.Interval(0, sp.oo)},
-        "y runs without end",
+        "y is not bounded",
         "state a closed interval",
     ),
 }

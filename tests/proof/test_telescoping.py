@@ -286,7 +286,7 @@ def test_what_is_not_shown_to_telescope_is_left(term: sp.Expr, first: int, value
 def test_a_sum_from_a_letter_is_told_that_it_has_to_go_up() -> None:
     (judgement,) = judge_pasted(Pasted(r"\sum_{k=m}^nk=\frac{(n+m)(n-m+1)}2")).judgements
     assert judgement.verdict is Verdict.UNDECIDED
-    assert judgement.reason == "both sides agree where m <= n, which is not said"
+    assert judgement.reason == "both sides agree where m <= n, which is not stated"
 
 
 def test_a_factor_that_is_zero_for_a_count_hides_no_product() -> None:

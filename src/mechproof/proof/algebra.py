@@ -318,4 +318,4 @@ def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
         pass
     is_long = has_parts(difference, sp.Product, sp.Integral)
     shown = sp.sstr(difference, order="none" if is_long else None)
-    return field.hindrance or f"that {shown} is zero is not shown"
+    return field.hindrance or f"{shown} is not shown to be zero"

@@ -54,12 +54,11 @@ def decide_any(
         if found := compare(one, other, domain, FEW).counterexample:
             reason = f"the two sides differ for {told}"
             if _list_names(sides[0]) != _list_names(sides[1]):
-                reason = f"it defines a function: {reason}"
+                reason = f"the equation may define a function: {reason}"
                 return Answer(Verdict.UNDECIDED, "none", reason)
             return Answer(Verdict.REFUTED, "separating balls", reason, (found,))
-    return Answer(
-        Verdict.UNDECIDED, "none", "it was neither proved for all functions nor refuted for any"
-    )
+    reason = "neither proved for all functions nor refuted by any that was tried"
+    return Answer(Verdict.UNDECIDED, "none", reason)
 
 
 def _list_names(side: sp.Expr) -> set[str]:
@@ -125,7 +124,7 @@ def _reduce(integrand: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
             rest = sp.expand(sp.Add(*terms) + term - factor * sp.diff(one, _X))
             terms = [*sp.Add.make_args(rest)] if rest != 0 else []
     else:
-        raise NotImplementedError("what is integrated has too many terms")
+        raise NotImplementedError("the integrand has too many terms")
     return found, left
 
 

@@ -100,7 +100,10 @@ def _align(node: sp.Sum, domain: Domain) -> sp.Expr:
 
 def _check_limits(index: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain) -> None:
     if not (upper.is_integer and _is_not_negative(upper - lower + 1, domain)):
-        raise NotImplementedError(f"a Sum over {index} from {lower} to {upper}")
+        raise NotImplementedError(
+            f"a sum over {index} from {lower} to {upper}: these limits are not shown to be whole "
+            "numbers in ascending order"
+        )
 
 
 def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
@@ -115,7 +118,9 @@ def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
     bound = {limit[0] for limit in node.limits} | {index for index, _ in limits}
     for index, lower, upper in node.limits:
         if lower != 1 or upper.free_symbols & bound:
-            raise NotImplementedError(f"a Sum over {index} from {lower} to {upper}")
+            raise NotImplementedError(
+                f"an inner sum over {index} from {lower} to {upper} is not rearranged"
+            )
         _check_limits(index, lower, upper, domain)
         fresh = sp.Dummy(index.name, integer=True)
         body = body.subs(index, fresh)
@@ -137,9 +142,9 @@ def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Ex
             argument.has(sp.Sum) and argument.free_symbols & {i for i, _ in limits}
             for argument in inner
         ):
-            raise NotImplementedError(f"an inner Sum beside other terms: {node}")
+            raise NotImplementedError(f"an inner sum next to other terms is not rearranged: {node}")
         return sp.Add(*inner)
-    raise NotImplementedError(f"a Sum inside {type(node).__name__} inside a Sum")
+    raise NotImplementedError(f"a sum inside {type(node).__name__} inside a sum is not rearranged")
 
 
 def _canonical_term(term: sp.Expr, limits: list[Limit]) -> sp.Expr:
@@ -164,11 +169,11 @@ def _carry_out_deltas(term: sp.Expr, limits: list[Limit]) -> tuple[sp.Expr, list
         delta = deltas[0]
         # A delta that is not a factor, but under a root, say, does not just pick one index.
         if delta not in sp.Mul.make_args(term):
-            raise NotImplementedError(f"{delta} that is not a factor of {term}")
+            raise NotImplementedError(f"{delta} is not a factor of {term}")
         first, second = delta.args
         bounds = dict(limits)
         if first not in bounds or second not in bounds or bounds[first] != bounds[second]:
-            raise NotImplementedError(f"{delta} between unlike indices")
+            raise NotImplementedError(f"{delta}: its two indices do not run over the same range")
         term = term.subs(second, first)
         limits = [limit for limit in limits if limit[0] != second]
     return term, limits

@@ -144,14 +144,14 @@ def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
         if find_residue(piece.function, variable, place, side, domain) is not None:
             x = sp.Symbol(variable.name.strip("_"))
             slow = 1 / (x if place.is_infinite else x - place)
-            where = f"as {x} comes to {write_value(place)}"
-            return f"its integrand is no less than a multiple of {slow} {where}"
+            where = f"as {x} tends to {write_value(place)}"
+            return f"its integrand is at least a multiple of {slow} {where}"
     for candidate, run in list_antiderivatives(piece, domain):
         values = find_ends(candidate, variable, run, domain)
         for place, end, value in zip(limits, (run.start, run.end), values, strict=True):
-            where = f"as {variable.name.strip('_')} comes to {write_value(place)}"
+            where = f"as {variable.name.strip('_')} tends to {write_value(place)}"
             if value is not None and value.is_infinite:
-                return f"an antiderivative comes to {write_value(value)} {where}"
+                return f"an antiderivative tends to {write_value(value)} {where}"
             if end.is_infinite and _swings(candidate, variable, end, domain):
                 return f"an antiderivative has no limit {where}"
     return ""
@@ -165,7 +165,7 @@ def _tell_sum(total: sp.Sum, domain: Domain) -> str:
     size = sp.Mul(*(_write_size(factor, domain) for factor in sp.Mul.make_args(term)))
     limit = find_limit(size, k, sp.oo, -1, domain)
     comes_to_zero = limit is None or not (limit.is_infinite or is_nonzero(limit, domain))
-    return "" if comes_to_zero else "its terms do not come to zero"
+    return "" if comes_to_zero else "its terms do not tend to zero"
 
 
 def _write_size(factor: sp.Expr, domain: Domain) -> sp.Expr:
@@ -179,7 +179,7 @@ def _tell_limit(limit: sp.Limit, domain: Domain) -> str:
     name = variable.name.strip("_")
     is_met = point.is_infinite and not variable.is_integer and name not in _WHOLE
     swings = is_met and _swings(body, variable, point, domain)
-    return "along other places it comes to another number" if swings else ""
+    return "it tends to different numbers along different sequences" if swings else ""
 
 
 def _swings(body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:

@@ -135,7 +135,7 @@ def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
         if len(zeros) >= needed:
             at = name_point(zeros[0], domain)
             told = f"it divides by {divisor}, which is zero"
-            told = f"{factorial} in it has no value" if factorial else told
+            told = f"{factorial} has no value" if factorial else told
             return told + (f" at {at}" if at else "")
     return ""
 

@@ -92,7 +92,7 @@ def put_in(side: Any, domain: Domain) -> Any:
     parts = dict(zip(partial, domain.resolve(sp.Tuple(*partial)), strict=True))
     for part, found in parts.items():
         if found.is_extended_real is False or found.has(sp.nan, sp.zoo):
-            raise NotImplementedError(f"{part} has no real value, as its letters are given")
+            raise NotImplementedError(f"{part} has no real value for the given values of letters")
     lost = [x for x in parts.values() if x in list_partial(x) and not value.has(x)]
     if isinstance(value, sp.MatrixBase):
         return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))

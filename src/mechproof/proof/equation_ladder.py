@@ -265,7 +265,7 @@ def _report_equal(
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
     undefined = _cross_examine(*sides, part) if part else _find_break(sides, needs, domain)
     if undefined:
-        reason = f"both sides agree where both are defined, which fails at {undefined}"
+        reason = f"both sides agree where both are defined; one is undefined at {undefined}"
         unsaid = f"; not stated: {needed}" if needed else ""
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"

@@ -65,7 +65,7 @@ def write_value(value: sp.Expr) -> str:
 def decide_endless(sides: tuple[sp.Expr, sp.Expr]) -> Answer | None:
     """Decide an equality with a side that is infinite, or has no value in SymPy; else None."""
     if any(side.has(sp.nan, sp.zoo) for side in sides):
-        return Answer(Verdict.UNDECIDED, "none", "a side has no value for what is given")
+        return Answer(Verdict.UNDECIDED, "none", "a side has no value for the given letters")
     if not any(side in (sp.oo, -sp.oo) for side in sides):
         return None
     printed, rebuilt = map(write_value, sides)

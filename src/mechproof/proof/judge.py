@@ -29,10 +29,10 @@ _TOLD: Mapping[type[Exception], str] = {
     RecursionError: "it is nested too deeply",
     ZeroDivisionError: "a part of it divides by zero",
     OverflowError: "a number in it is too large",
-    MemoryError: "it takes more memory than there is",
+    MemoryError: "it needs more memory than is available",
 }
 _WITHOUT_RULE = (
-    "SymPy has no rule for a part of it; judge parts by themselves, or at values of letters"
+    "SymPy has no rule for a part of it; judge its parts separately, or at values of its letters"
 )
 
 
@@ -121,7 +121,7 @@ def _decide_where_it_divides(row: Row, domain: Domain) -> Answer:
     for divisor in row.divisors:
         part = part and narrow(part, sp.Ne(divisor, 0))
     if part is None:
-        return Answer(Verdict.UNDECIDED, "none", "it divides by zero wherever its letters lie")
+        return Answer(Verdict.UNDECIDED, "none", "it divides by zero for all values of its letters")
     return decide(row.statement, part)
 
 
@@ -143,7 +143,7 @@ def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) ->
             reason = f"true when read as: {reading.text}"
             return Answer(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
         if other.verdict in OPEN:
-            left_open = left_open or _leave_open(f"read as: {reading.text}", other, literal)
+            left_open = left_open or _leave_open(f"when read as {reading.text}", other, literal)
     return left_open
 
 
@@ -167,8 +167,8 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
 
 def _leave_open(meant: str, answer: Answer, refuted: Answer) -> Answer:
     """Report a row that is false literally and undecided in its intended sense."""
-    literal = tuple(replace(item, what=f"as it stands: {item.what}") for item in refuted.evidence)
-    reason = f"not true as printed; {meant}, not proved: {answer.reason}"
+    literal = tuple(replace(item, what=f"as printed: {item.what}") for item in refuted.evidence)
+    reason = f"not true as printed; not proved {meant}: {answer.reason}"
     return replace(answer, reason=reason, evidence=(*answer.evidence, *literal))
 
 

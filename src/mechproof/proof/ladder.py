@@ -139,7 +139,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         needed = tell_needs([list_unshown(side, domain) for side in relation.args])
         count = POINTS if needed else CROSS_EXAMINATION
         if undefined := find_undefined(relation.args, domain, count):
-            reason = f"true wherever it is defined, which fails at {undefined}"
+            reason = f"true wherever it is defined; it is undefined at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"
         return Answer(Verdict.PROVED, rung, f"true {where}")

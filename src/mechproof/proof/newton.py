@@ -94,7 +94,7 @@ def _find_obstacle(root: Root, bound: sp.Expr, domain: Domain) -> str:
     sides = [_find_side(s, sets[s], root, where) for s in varying]
     if endless := [str(s) for s, side in zip(varying, sides, strict=True) if side is None]:
         names = ", ".join(endless)
-        return f"{names} runs without end: state a closed interval of it, or `on` for the quantity"
+        return f"{names} is not bounded: state a closed interval for it, or `on` for the quantity"
     box = tuple(side for side in sides if side is not None)
     finite = [s for s in symbols if s not in varying]
     for chosen in product(*(sets[s].args for s in finite)):
@@ -187,7 +187,7 @@ def _tell_parts(given: Bracketed, parts: tuple[balls.Ball, ...]) -> str:
     places = " and ".join((given.low + part).str(4, radius=False) for part in crossed or kept)
     if len(crossed) > 1:
         return f"there are {len(crossed)} roots in the bracket, near {places}"
-    return f"the derivative has no one sign near {places}"
+    return f"the derivative may change sign near {places}"
 
 
 def _list_errors(given: Bracketed, steps: int) -> Iterator[balls.Ball]:
@@ -231,6 +231,6 @@ def _tell_errors(given: Bracketed, task: _Task, values: dict[sp.Basic, balls.Bal
     enough = [k for k, error in enumerate(errors) if error <= limit]
     if enough:
         left = errors[steps].str(2, radius=False)
-        return f"{steps} steps of Newton's leave {left}; {enough[0]} are enough there"
+        return f"after {steps} Newton steps the error may be {left}; {enough[0]} are enough there"
     start = (given.low + given.start).str(4, radius=False)
-    return f"Newton's steps from the start {start} are not shown to get near the root"
+    return f"Newton's steps from the start {start} are not shown to approach the root"

@@ -70,7 +70,7 @@ def check_statement(
     for name, side in prints + ours:
         _check_size(name, side)
         if undefined := sorted(map(str, find_parts(side, AppliedUndef))):
-            raise RecordError(f"{name}: the function of {undefined[0]} is defined nowhere")
+            raise RecordError(f"{name}: the function in {undefined[0]} is not defined")
         _check_bound(name, side, domain)
         _check_names(name, side, known, domain, may_be_unknown=(name, side) in prints)
     if isinstance(statement, Holds) and printed:
@@ -80,7 +80,7 @@ def check_statement(
     if isinstance(statement, Equality | Distinct) and ours and not (printed and mended):
         _check_likeness(prints + ours, known)
     if isinstance(statement, PrintedNumber) and find_free(domain.resolve(statement.value)):
-        raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is no number")
+        raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is not a number")
 
 
 def _parts(statement: Conjunction | Completions, printed: bool) -> Iterator[tuple[Statement, bool]]:
@@ -105,7 +105,7 @@ def _check_size(name: str, side: sp.Basic) -> None:
         exponent = power.exp
         if exponent.is_number and not abs(balls.evaluate(exponent, {})) < LARGEST_EXPONENT:
             raise NotImplementedError(
-                f"{name}: an exponent is not below {LARGEST_EXPONENT} in amount"
+                f"{name}: an exponent is not below {LARGEST_EXPONENT} in absolute value"
             )
 
 
@@ -118,8 +118,8 @@ def _check_names(
     for symbol in sorted(free - labels - declared, key=str):
         if str(symbol) in map(str, declared):
             raise RecordError(
-                f"{name}: its {symbol} is not the {symbol} that is declared: SymPy is told other "
-                f"assumptions of it"
+                f"{name}: its {symbol} is not the declared {symbol}: the two have different SymPy "
+                "assumptions"
             )
         if not may_be_unknown:
             raise RecordError(f"{name}: {symbol} is not a declared symbol of the paper")
@@ -131,7 +131,7 @@ def _check_bound(name: str, side: sp.Basic, domain: Domain) -> None:
             facts = _facts_of_bound(node, limits, domain)
             if excess := find_excess(bound, facts):
                 raise RecordError(
-                    f"{name}: SymPy is told of {bound} in {node} what its limits do not say: "
+                    f"{name}: the limits of {node} do not imply all SymPy assumptions of {bound}: "
                     f"{describe_excess(excess)}"
                 )
 
@@ -182,8 +182,8 @@ def _check_likeness(sides: list[Side], known: Dimensions) -> None:
     except DimensionError as error:
         names = " and ".join(name for name, _ in sides)
         raise RecordError(
-            f"{names} are of unlike dimension: {error}; where the print is wrong, its correction "
-            "has to be given"
+            f"{names} have different dimensions: {error}; if the print is wrong, give its "
+            "correction"
         ) from error
 
 
@@ -207,7 +207,7 @@ def _compare(
     ours, own = (_resolve(sides, domain) for sides in (_quantities(row.statement), shown))
     telling = [part for part in _list_parts(says) if not _is_void(part, ours, domain)]
     if not telling:
-        raise RecordError(f"{what}: its two sides are the same, it says nothing of the row")
+        raise RecordError(f"{what}: its two sides are the same, so it says nothing about the row")
     if any(own & _resolve(_list_sides(part), domain) for part in telling):
         return
     letters = _letters(row.statement, domain)
@@ -215,7 +215,7 @@ def _compare(
     is_in_words = words > 0 and not _SIGN.search(rest)
     if is_in_words and (not letters or letters & _letters(says, domain)):
         return
-    raise RecordError(f"{what}: no side of it is one of the row, so it is about something else")
+    raise RecordError(f"{what}: none of its sides is in the row, so it is about something else")
 
 
 def _resolve(sides: Iterable[sp.Basic], domain: Domain) -> set[sp.Basic]:

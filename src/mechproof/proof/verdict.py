@@ -46,8 +46,8 @@ class State(StrEnum):
 
 MEANINGS: Mapping[Verdict, str] = MappingProxyType(
     {
-        Verdict.PROVED: "a complete decision procedure, the named rung, says so on the whole "
-        "domain",
+        Verdict.PROVED: "proved on the whole domain by a complete decision procedure, the named "
+        "rung",
         Verdict.REFUTED: "a counterexample whose enclosures separate both sides; the corrected "
         "form is proved",
         Verdict.ILL_FORMED: "cannot be evaluated as printed: the witness is shown, the corrected "
@@ -56,13 +56,14 @@ MEANINGS: Mapping[Verdict, str] = MappingProxyType(
         "counterexample there",
         Verdict.CONVENTION: "true after a stated change of sign, order, direction or reading; "
         "both are shown",
-        Verdict.DEFINITION: "introduces a symbol or a datum, or is compared with what was built "
-        "from it: nothing to prove beyond dimensions and consistent use",
+        Verdict.DEFINITION: "introduces a symbol or a datum, or is compared with something "
+        "built from it: nothing to prove beyond dimensions and consistent use",
         Verdict.ENCLOSED: "not proved: the difference is enclosed at stated points",
         Verdict.UNDERDETERMINED: "the paper lacks a named datum: two completions of it give "
         "opposite answers",
-        Verdict.NOT_CHECKABLE: "what it would be compared with, named here, is lost or not printed",
-        Verdict.UNDECIDED: "none of the others, with what could not be shown",
+        Verdict.NOT_CHECKABLE: "what it would be compared with, named in the reason, is lost or "
+        "not printed",
+        Verdict.UNDECIDED: "none of the others; the reason names what could not be shown",
     }
 )
 

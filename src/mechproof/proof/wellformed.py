@@ -116,7 +116,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
         return None
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
-    reason = f"{names} has no value there: bound by no sum and no quantity of the paper"
+    reason = f"{names} has no value there: neither bound by a sum nor a quantity of the paper"
     return _tell(reason, witness)
 
 
@@ -185,7 +185,7 @@ def _terms(printed: sp.Basic) -> list[sp.Expr]:
 
 def _show_change(unit: str, at: dict[str, str], values: list[balls.Ball]) -> Evidence:
     what = (
-        f"printed form: first in one unit of {unit}, then in a unit {UNIT_CHANGE} times smaller "
-        f"and turned back"
+        f"printed form: first in one unit of {unit}, then in a unit {UNIT_CHANGE} times smaller, "
+        "converted back"
     )
     return Evidence(what, at, *balls.show_apart(*values))

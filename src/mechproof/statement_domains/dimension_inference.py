@@ -245,4 +245,4 @@ def _of_function(node: sp.Basic, known: Dimensions) -> Dimension:
 def _require_number(argument: sp.Basic, known: Dimensions, node: sp.Basic) -> None:
     found = infer(argument, known)
     if found not in (None, NUMBER):
-        raise DimensionError(f"{argument} of dimension {found} inside {node}")
+        raise DimensionError(f"{argument} inside {node} has dimension {found}")

@@ -132,11 +132,11 @@ def check_set(symbol: sp.Basic, where: sp.Set) -> None:
     """Refuse sets without a rule for points, and symbols whose assumptions exclude set members."""
     if not (where in COUNTS or isinstance(where, sp.Interval | sp.FiniteSet)):
         raise RecordError(
-            f"{symbol} in {where}: allowed are Interval, FiniteSet, Naturals, Integers"
+            f"{symbol} in {where}: use an Interval, a FiniteSet, Naturals or Integers"
         )
     if excess := find_excess(symbol, facts_of(where)):
         raise RecordError(
-            f"{symbol} in {where}: the SymPy symbol is declared to be narrower: "
+            f"{symbol} in {where}: the set does not imply all assumptions of the SymPy symbol: "
             f"{describe_excess(excess)}"
         )
 
@@ -158,4 +158,4 @@ def check_relation(relation: sp.Basic, declared: set[sp.Basic]) -> None:
     indices = {s for entry in entries for index in entry.indices for s in index.free_symbols}
     if unknown := relation.free_symbols - entries - indices - declared - labels:
         names = ", ".join(sorted(map(str, unknown)))
-        raise RecordError(f"the domain {relation}: {names} is no declared symbol")
+        raise RecordError(f"the domain {relation}: {names} is not declared")
