@@ -85,12 +85,12 @@ def test_another_statement_is_caught(old: str, new: str, tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("step", "said"),
     [
-        (Step("r", "sinh", ("x",), HALF), "the analysis has no sinh"),
+        (Step("r", "sinh", ("x",), HALF), "the analysis does not know sinh"),
         (
             Step("r", "multiply", ("x", "x"), 1.0),
             "multiply within 1 ulp: the analysis rounds to nearest",
         ),
-        (Step("q", "multiply", ("x", "x"), HALF), "one output, which is a result"),
+        (Step("q", "multiply", ("x", "x"), HALF), "exactly one output, the result of a step"),
     ],
 )
 def test_what_the_analysis_has_not_is_named(step: Step, said: str) -> None:

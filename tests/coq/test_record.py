@@ -75,7 +75,7 @@ def test_a_script_that_is_refused_or_differs_is_lost() -> None:
     faults = {c.file: "" for c in certificates} | {"refused.v": "Coq: line 1: no"}
     coverage = Coverage("8.16", tuple(certificates), faults)
     assert coverage.find_lost(known) == [
-        "mine/changed: another script than the one recorded",
+        "mine/changed: its script differs from the recorded one",
         "mine/refused: Coq: line 1: no",
     ]
     assert coverage.count() == "3 of 4 rows (75.0%) are accepted by Coq 8.16, 2 of them A = A"

@@ -122,7 +122,7 @@ def _run(folder: Path, name: str, limit: float) -> tuple[str, str]:
         ["sh", "-c", limited, name], cwd=folder, capture_output=True, text=True, check=False
     )
     if done.returncode < 0 or done.returncode > 128:
-        return f"Coq takes longer than {limit:g} s of a processor", ""
+        return f"Coq takes longer than {limit:g} s of processor time", ""
     return (f"Coq: {_find_fault(done.stderr)}" if done.returncode else ""), done.stdout
 
 

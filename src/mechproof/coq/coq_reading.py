@@ -123,7 +123,7 @@ class _Parser:
         self.ranks: Mapping[str, int] = {}
         self.tokens = _TOKENS.findall(text)
         if "".join(self.tokens) != re.sub(r"\s+", "", text):
-            raise ValueError(f"Coq text: a sign that is not known in {text[:60]!r}")
+            raise ValueError(f"Coq text: an unknown sign in {text[:60]!r}")
         self.at = 0
 
     @property
@@ -193,7 +193,7 @@ class _Parser:
         letter, body = self.function("R")
         place, slope = self.atom(), self.atom()
         if place != letter:
-            raise ValueError(f"Coq text: the derivative by {letter} at {place}")
+            raise ValueError(f"Coq text: the derivative by {letter} is taken at {place}")
         return sp.Eq(sp.Derivative(body, letter, evaluate=False), slope, evaluate=False)
 
     def sum(self) -> sp.Expr:

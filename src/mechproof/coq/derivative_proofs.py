@@ -59,7 +59,7 @@ class _Known:
 def prove_by_derivative(theorem: Theorem, names: Names) -> list[str]:
     """Write the tactics for an equality. Raises `UnwritableError` if no variable will do."""
     if not isinstance(theorem.conclusion, sp.Eq):
-        raise UnwritableError("of an integral only equalities are proved")
+        raise UnwritableError("with integrals only equalities are proved")
     variable = find_variable(theorem)
     if variable is None:
         raise UnwritableError("no variable by which both sides could be differentiated")
@@ -122,7 +122,9 @@ class _Proof:
             for number, integral in enumerate(dict.fromkeys(integrals), start=1)
         ]
         if any(variable in find_free(k.integral.function) for k in self.known):
-            raise UnwritableError("an integrand with the letter of its limit is not differentiated")
+            raise UnwritableError(
+                "an integrand that contains the letter of its limit is not differentiated"
+            )
         # Roots are written by their terms, as if they were letters.
         self.names = {**names, **self.roots.joined}
         self.inner = {**self.names, _MOVING: str(_MOVING)}

@@ -170,7 +170,7 @@ def write_folder(folder: Path, scripts: Mapping[str, str]) -> None:
     Raises `ForeignFileError` for any other folder, and `OSError`.
     """
     if folder.is_dir() and not (folder / LIST).exists() and any(folder.iterdir()):
-        raise ForeignFileError(f"{folder}: holds files that are no scripts of `mechproof certify`")
+        raise ForeignFileError(f"{folder}: contains files that are not of `mechproof certify`")
     Made(folder, LIST).update(list_files(scripts))
 
 
@@ -200,7 +200,7 @@ class Coverage:
             if certificate.id in known and reason not in ("", NOT_CHECKED):
                 lost.append(f"{certificate.id}: {reason}")
             elif certificate.digest != known.get(certificate.id, certificate.digest):
-                lost.append(f"{certificate.id}: another script than the one recorded")
+                lost.append(f"{certificate.id}: its script differs from the recorded one")
         return lost
 
     def count(self) -> str:

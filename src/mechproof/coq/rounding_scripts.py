@@ -126,7 +126,7 @@ class _Writer:
         self._theorem = theorem
         straight = theorem.straight
         if len(straight.outputs) != 1 or not isinstance(straight.outputs[0], str):
-            raise UnwritableError("a program has one output, which is a result")
+            raise UnwritableError("the program must have exactly one output, the result of a step")
         self._steps = tuple(_state_constants(straight.steps))
         names = [name_letter(name) for name in straight.inputs]
         results = [step.result for step in self._steps]
@@ -136,9 +136,9 @@ class _Writer:
             for letter in "vw"
         )
         if len(set(names)) < len(names):
-            raise UnwritableError("two inputs have one name")
+            raise UnwritableError("two inputs have the same name")
         if results[-1:] != [straight.outputs[0]]:
-            raise UnwritableError("the last step is the output")
+            raise UnwritableError("the last step must give the output")
 
     def write(self) -> Iterator[str]:
         theorem, inputs = self._theorem, self._theorem.straight.inputs
@@ -236,7 +236,7 @@ def _state_constants(steps: Sequence[Step]) -> Iterator[Step]:
 
 def _check(step: Step) -> None:
     if step.kind not in _OPERATIONS:
-        raise UnwritableError(f"the analysis has no {step.kind}")
+        raise UnwritableError(f"the analysis does not know {step.kind}")
     if step.ulps not in (EXACT, HALF):
         raise UnwritableError(
             f"{step.kind} within {step.ulps:g} ulp: the analysis rounds to nearest (--ulps 0.5)"

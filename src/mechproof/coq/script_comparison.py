@@ -51,7 +51,7 @@ def compare_script(text: str, theorems: Sequence[Theorem]) -> None:
         raise ReadBackError(str(error)) from error
     wanted = dict(_expect(theorems))
     if list(found) != list(wanted):
-        raise ReadBackError(f"statements {list(found)} where {list(wanted)} were expected")
+        raise ReadBackError(f"statements {list(found)} instead of {list(wanted)}")
     for name, statement in wanted.items():
         _compare(found[name], statement)
 
@@ -82,14 +82,14 @@ def _compare(read: ReadStatement, wanted: _Wanted) -> None:
     quantifier = wanted.quantifier if names else ""
     kinds = dict(_list_kinds(theorem, names))
     if (read.quantifier, dict(read.variables)) != (quantifier, kinds):
-        raise ReadBackError(f"{read.name}: {read.quantifier} {read.variables}")
+        raise ReadBackError(f"{read.name}: unexpected binders: {read.quantifier} {read.variables}")
     if [name for name, _ in read.variables] != list(kinds):
-        raise ReadBackError(f"{read.name}: variables in the order {read.variables}")
+        raise ReadBackError(f"{read.name}: variables in an unexpected order: {read.variables}")
     back = {_read_as(symbol, name): symbol for symbol, name in names.items()}
     pairs = [(read.hypotheses, wanted.hypotheses), (read.conclusions, wanted.conclusions)]
     for ours, theirs in pairs:
         if len(ours) != len(theirs):
-            raise ReadBackError(f"{read.name}: {len(ours)} relations where {len(theirs)} are meant")
+            raise ReadBackError(f"{read.name}: {len(ours)} relations instead of {len(theirs)}")
         for one, other in zip(ours, theirs, strict=True):
             _compare_relations(read.name, one, other, back, theorem.points)
 
@@ -113,17 +113,17 @@ def _compare_relations(
     if isinstance(one, Joined):
         parts = sorted(other.args, key=sp.default_sort_key)
         if other.func is not _JOINTS[one.sign] or len(parts) != len(one.parts):
-            raise ReadBackError(f"{name}: {one.sign} where {other.func.__name__} is meant")
+            raise ReadBackError(f"{name}: {one.sign} instead of {other.func.__name__}")
         for part, meant in zip(one.parts, parts, strict=True):
             _compare_relations(name, part, meant, back, points)
         return
     if one.func is not other.func or len(one.args) != len(other.args):
-        raise ReadBackError(f"{name}: {one.func.__name__} where {other.func.__name__} is meant")
+        raise ReadBackError(f"{name}: {one.func.__name__} instead of {other.func.__name__}")
     for side, meant in _pair_sides(name, one, other, back):
         told = side.xreplace(back)
         for point in points if told != meant else ():
             if is_true(sp.Ne(told, meant, evaluate=False), point):
-                raise ReadBackError(f"{name}: a side is not what is meant at {point}: {side}")
+                raise ReadBackError(f"{name}: a side has an unexpected value at {point}: {side}")
 
 
 def _pair_sides(
@@ -137,7 +137,7 @@ def _pair_sides(
         elif all(derivatives) and [back.get(s) for s in side.variables] == list(meant.variables):
             yield side.expr, meant.expr
         else:
-            raise ReadBackError(f"{name}: {side} where {meant} is meant")
+            raise ReadBackError(f"{name}: {side} instead of {meant}")
 
 
 def compare_bound_script(
@@ -146,7 +146,7 @@ def compare_bound_script(
     """Raise `ReadBackError` unless a script states the theorem and the given enclosure."""
     try:
         statement, *others = read_script(text)
-        _require(len(others) == bool(enclosure), "how many theorems")
+        _require(len(others) == bool(enclosure), "number of theorems")
         terms = _list_compared(statement, theorem.ranges)
         enclosed: _Terms | None = None
         if enclosure:
@@ -172,7 +172,7 @@ def _list_compared(statement: ReadStatement, ranges: Mapping[str, Range]) -> _Te
     _require(_list_ends(statement.hypotheses) == letters, "ranges")
     (error,) = statement.conclusions
     if not (isinstance(error, sp.Le) and isinstance(error.lhs, sp.Abs)):
-        raise ReadBackError("the script of a bound says something else: no inequality")
+        raise ReadBackError("the script of a bound does not state its theorem: no inequality")
     value, minus = error.lhs.args[0].args
     return value, sp.Mul(-1, minus, evaluate=False), error.rhs
 
@@ -184,7 +184,7 @@ def _evaluate(terms: _Terms, point: ExactPoint) -> list[Ball]:
 
 def _require(holds: bool, part: str) -> None:
     if not holds:
-        raise ReadBackError(f"the script of a bound says something else: {part}")
+        raise ReadBackError(f"the script of a bound does not state its theorem: {part}")
 
 
 def _list_ends(hypotheses: tuple[Read, ...]) -> dict[str, tuple[Fraction, Fraction]]:
@@ -192,7 +192,7 @@ def _list_ends(hypotheses: tuple[Read, ...]) -> dict[str, tuple[Fraction, Fracti
     ends = {}
     for low, high in zip(hypotheses[::2], hypotheses[1::2], strict=True):
         if not (isinstance(low, sp.Le) and isinstance(high, sp.Le) and low.rhs == high.lhs):
-            raise ReadBackError("the script of a bound says something else: ranges")
+            raise ReadBackError("the script of a bound does not state its theorem: ranges")
         ends[str(low.rhs)] = _read_number(low.lhs), _read_number(high.rhs)
     return ends
 
@@ -216,19 +216,19 @@ def _draw(theorem: BoundTheorem) -> list[ExactPoint]:
 def _compare_at(theorem: BoundTheorem, point: ExactPoint, read: list[Ball]) -> None:
     doubles = {name: np.float64(float(value)) for name, value in point.items()}
     (computed,) = run(theorem.straight, doubles, _NEAREST)
-    _require(bool(read[0] == arb(float(computed))), f"what is computed at {dict(point)}")
-    _require(bool(read[1].overlaps(_run(theorem, point))), f"what is exact at {dict(point)}")
+    _require(bool(read[0] == arb(float(computed))), f"computed value at {dict(point)}")
+    _require(bool(read[1].overlaps(_run(theorem, point))), f"exact value at {dict(point)}")
     share = abs(read[1]) if theorem.relative else arb(1)
-    _require(bool(read[2].overlaps(to_ball(theorem.bound) * share)), "the bound")
+    _require(bool(read[2].overlaps(to_ball(theorem.bound) * share)), "bound")
 
 
 def _compare_enclosed(
     theorem: BoundTheorem, enclosure: FunctionEnclosure, point: ExactPoint, read: list[Ball]
 ) -> None:
-    _require(bool(read[0].overlaps(_run(theorem, point))), f"what is near at {dict(point)}")
+    _require(bool(read[0].overlaps(_run(theorem, point))), f"approximation at {dict(point)}")
     function = evaluate(enclosure.function, {sp.Symbol(n): v for n, v in point.items()}, BITS)
-    _require(bool(read[1].overlaps(function)), f"the function at {dict(point)}")
-    _require(bool(read[2].overlaps(to_ball(enclosure.off))), "how near it is")
+    _require(bool(read[1].overlaps(function)), f"function at {dict(point)}")
+    _require(bool(read[2].overlaps(to_ball(enclosure.off))), "distance from the function")
 
 
 def _run(theorem: BoundTheorem, point: ExactPoint) -> Ball:
@@ -273,7 +273,7 @@ def _round(ball: arb) -> Ball:
     for end in (ball.lower(), ball.upper()):
         mantissa, exponent = end.man_exp()
         ends.append(float(Fraction(int(mantissa)) * Fraction(2) ** int(exponent)))
-    _require(ends[0] == ends[1], "a rounding that the precision does not decide")
+    _require(ends[0] == ends[1], "rounding not decided at this precision")
     return ends[0]
 
 

@@ -52,7 +52,7 @@ class SumProof:
 
     def __init__(self, theorem: Theorem) -> None:
         if not isinstance(theorem.conclusion, sp.Eq):
-            raise UnwritableError("of sums only equalities are proved")
+            raise UnwritableError("with sums only equalities are proved")
         self.theorem = theorem
         self.whole = sp.Tuple(theorem.conclusion, *theorem.hypotheses)
         self.names = dict(name_letters(theorem.symbols, self.whole))
@@ -129,7 +129,7 @@ class SumProof:
         """Add up a sum whose inner sums have been added up before."""
         indices = [limit[0] for limit in total.limits]
         if find_free(total) & set(indices):
-            raise UnwritableError("a sum whose limits have its indices is not added up")
+            raise UnwritableError("a sum whose limits contain its indices is not added up")
         known = self._known(len(self.found))
         proof = _Levels(self, total, known)
         value = proof.run()

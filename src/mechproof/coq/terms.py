@@ -71,7 +71,7 @@ def write_relation(relation: sp.Basic, names: Names) -> str:
         parts = sorted(relation.args, key=sp.default_sort_key)
         return "(" + sign.join(write_relation(part, names) for part in parts) + ")"
     if not isinstance(relation, Relational):
-        raise UnwritableError(f"{type(relation).__name__} is no relation")
+        raise UnwritableError(f"{type(relation).__name__} is not a relation")
     if isinstance(relation.lhs, sp.Derivative):
         return _write_derivative(relation.lhs, relation.rhs, names)
     left, right = (write_term(side, names) for side in relation.args)

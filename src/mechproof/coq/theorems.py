@@ -279,7 +279,7 @@ def _bound(symbol: sp.Basic, values: sp.Set) -> Iterator[sp.Basic]:
 def _negate(relation: sp.Basic) -> sp.Basic:
     """Return the relation that is true where the given one is not."""
     if not isinstance(relation, Relational):
-        raise UnwritableError(f"the contrary of {type(relation).__name__} is not written")
+        raise UnwritableError(f"the negation of {type(relation).__name__} is not written")
     return relation.negated
 
 

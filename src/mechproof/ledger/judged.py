@@ -52,8 +52,8 @@ proved formulas, and what they were compared with, are folded away below each ta
 
 {AT_HAND}
 
-Marks say what a row rests on; rows marked *ours* are counted apart, and of these those on kernels:
-what their formulas rest on, and what their source computes:
+Marks say what a row rests on. Rows marked *ours* are counted separately, and so are those of them
+on kernels, which state what their formulas rest on and what their source computes:
 
 """
 

@@ -129,7 +129,9 @@ def _describe(
     weight = Weight.FORMULA if about.verdict is Verdict.ILL_FORMED else Weight.NUMBER
     finding = finding or Finding(row.number, about.reason, weight=weight)
     if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
-        raise ValueError(f"paper {paper.system!r}: finding {row.number!r}: it is {about.verdict}")
+        raise ValueError(
+            f"paper {paper.system!r}: finding {row.number!r}: its row is {about.verdict}"
+        )
     for follower in finding.followers:
         again = judged[_corrected_number(follower.row, row.number)]
         if again.verdict is not Verdict.PROVED:
@@ -167,8 +169,10 @@ def _find_mend(finding: Finding, judged: Mapping[str, Judgement]) -> Judgement |
         return None
     mend = judged.get(finding.mend)
     if mend is None or mend.verdict is not Verdict.PROVED:
-        found = mend.verdict if mend else "no row"
-        raise ValueError(f"finding {finding.row!r}: mend = {finding.mend!r}: it is {found}")
+        found = mend.verdict if mend else "not a row"
+        raise ValueError(
+            f"finding {finding.row!r}: mend = {finding.mend!r}: must be PROVED, but is {found}"
+        )
     return mend
 
 
@@ -216,14 +220,14 @@ def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
         return says.printed, says.rebuilt
     if isinstance(says, PrintedNumber):
         return sp.Rational(says.printed), says.value
-    raise ValueError(f"row {row.number!r}: a cost of it has to state both of its values")
+    raise ValueError(f"row {row.number!r}: its cost must state both values")
 
 
 def _value(
     side: sp.Expr, at: Mapping[sp.Basic, sp.Expr], unit: str, where: str, domain: Domain
 ) -> balls.Ball:
     if unit not in UNITS:
-        raise ValueError(f"{where}: unit = {unit!r}: allowed are {', '.join(UNITS)}")
+        raise ValueError(f"{where}: unit = {unit!r}: must be one of {', '.join(UNITS)}")
     placed = domain.resolve(side).subs(at, simultaneous=True)
     if placed.free_symbols:
         raise ValueError(f"{where}: no size is given for {sorted(map(str, placed.free_symbols))}")
@@ -257,7 +261,9 @@ def _insert_correction(row: Row, root: Row, follower: FollowingRow) -> Row:
     else:
         inserted = _replace_in(says, pairs)
     if inserted == says:
-        raise ValueError(f"row {row.number!r} does not hold what {root.number!r} corrects")
+        raise ValueError(
+            f"row {row.number!r} does not contain the part that {root.number!r} corrects"
+        )
     return replace(
         row,
         number=_corrected_number(row.number, root.number),
