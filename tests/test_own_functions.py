@@ -88,7 +88,9 @@ def test_a_seam_within_the_range_is_named(
 def test_a_function_that_has_no_series_is_named(place: Path) -> None:
     request = read_request("functions.wave", 1e-9, {"x": (0, 1)}, place)
     (x,) = request.quantity.arguments[0].symbols
-    told = "name = 'functions.wave': no series of erf: cannot be tailored; call its kernel"
+    told = (
+        "name = 'functions.wave': no series is known for erf: cannot be tailored; call its kernel"
+    )
     with pytest.raises(ValueError, match=told):
         request.define(sp.erf(x))
 

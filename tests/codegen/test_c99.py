@@ -238,7 +238,7 @@ def test_sums_take_pointers_and_the_number_of_terms(
 
 
 def test_a_header_of_c_is_no_name() -> None:
-    with pytest.raises(ValueError, match=r"^Math: C has a header math\.h, kernels need"):
+    with pytest.raises(ValueError, match=r"^Math: C has a header math\.h; choose"):
         render_c(replace(declared_paper_of("elliptic_planetary"), system="Math"))
 
 

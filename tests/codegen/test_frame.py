@@ -37,9 +37,9 @@ def compiled_source() -> str:
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [
-        ("is_positive as _is_positive", "is_finite as _is_positive", "is_finite is called"),
+        ("is_positive as _is_positive", "is_finite as _is_positive", "is_finite is imported as"),
         ("product_rest as _product_rest", "quotient_rest as _product_rest", "quotient_rest is"),
-        ("import numpy as _np", "import math as _np", "math is called _np"),
+        ("import numpy as _np", "import math as _np", "math is imported as _np"),
         ("def ratio(", "@_square\ndef ratio(", "ratio is decorated by _square"),
     ],
 )
@@ -57,7 +57,7 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [
-        ("    fill as _fill,", "    fill_blocks as _fill,", "fill_blocks is called _fill"),
+        ("    fill as _fill,", "    fill_blocks as _fill,", "fill_blocks is imported as _fill"),
         ("@_loop\n", "", "read decorated by nothing"),
         ("@_scalar\ndef _value_of", "@_loop\ndef _value_of", "read decorated by _loop"),
         ("@_point_of(ratio, ", "@_point_of(position, ", "'position' is not defined"),

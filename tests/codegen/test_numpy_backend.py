@@ -183,7 +183,7 @@ def test_what_is_proved_and_what_is_tested_are_told_apart() -> None:
         (source,) = render_modules(paper_of(changed)).values()
         assert ("Accuracy is tested:" in source) == bool(accuracy)
         assert ("Accuracy, tested:" in source) == bool(accuracy)
-        assert ("What is proved holds" in source) == (forms == (form,))
+        assert ("A proved bound holds" in source) == (forms == (form,))
 
 
 def test_alternatives_among_the_conditions_of_the_domain_are_checked(tmp_path: Path) -> None:

@@ -141,7 +141,7 @@ def test_a_seed_makes_the_same_points_again_and_another_others(name: str) -> Non
 
 def test_a_domain_that_is_hardly_met_is_an_error() -> None:
     narrow = Domain(DOMAIN.within, (*DOMAIN.where, R1 > 10**9 * R2), {})
-    with pytest.raises(ValueError, match="generic: 0 points lie in the domain"):
+    with pytest.raises(ValueError, match="generic: only 0 points lie in the domain"):
         draw_points(list_point_sets(Facts(ARGUMENTS, narrow))[0], REPORT)
 
 

@@ -50,7 +50,7 @@ def test_what_does_not_vanish_does_not(wrong: sp.Expr) -> None:
 
 @pytest.mark.parametrize("node", [1 / x, sp.sin(x), x**r, sp.sqrt(x), sp.Float(0.5)])
 def test_what_is_no_polynomial_is_refused(node: sp.Expr) -> None:
-    with pytest.raises(sp.PolynomialError, match="no polynomial"):
+    with pytest.raises(sp.PolynomialError, match="not a polynomial"):
         reduce_polynomial(node, {})
 
 
@@ -76,7 +76,7 @@ def test_quotients_are_zero_only_above(
 
 @pytest.mark.parametrize("node", [sp.sin(x) / c, x**r, 1 / sp.sqrt(x), sp.Float(0.5)])
 def test_what_is_no_quotient_is_refused(node: sp.Expr) -> None:
-    with pytest.raises(sp.PolynomialError, match="no polynomial"):
+    with pytest.raises(sp.PolynomialError, match="not a polynomial"):
         is_zero(node, {})
 
 

@@ -225,7 +225,7 @@ def test_languages_without_a_text_say_why() -> None:
     refused = {language for languages in found.refused.values() for language in languages}
     shown = {language for language, _ in found.texts}
     assert shown == {"C", "LaTeX"} == {*LANGUAGES.values()} - refused
-    assert list(found.refused) == ["formulas take no axes of any length to sum over"]
+    assert list(found.refused) == ["formulas cannot sum over axes of arbitrary length"]
 
 
 @pytest.mark.parametrize(

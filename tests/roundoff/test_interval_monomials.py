@@ -236,7 +236,7 @@ def test_cuts_of_no_box_are_refused() -> None:
     box = ((0.0, 1.0), (0.0, 1.0))
     found = cover_below(edge, box, 2.0, 1000, 2)
     for wrong in (found.cuts[:-1], np.where(found.cuts == 0, 2, found.cuts).astype(np.int8)):
-        with pytest.raises(ValueError, match="parts have the cuts"):
+        with pytest.raises(ValueError, match="parts do not match the cuts"):
             cut_again(box, 2, wrong)
     _, left = cut_again(box, 2, np.append(found.cuts, np.int8(0)))
     assert left.tolist() == [0]

@@ -67,7 +67,7 @@ def plan(node: sp.Basic) -> Plan:
             return rule(node)
     function = FUNCTIONS.get(type(node))
     if function is None:
-        raise NotImplementedError(f"{type(node).__name__} is a function that cannot be enclosed")
+        raise NotImplementedError(f"the function {type(node).__name__} cannot be enclosed")
     return _apply(node, function), node.args
 
 

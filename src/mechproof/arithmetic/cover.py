@@ -94,7 +94,7 @@ def cut_again(box: Box, first: int, cuts: Cuts) -> tuple[Boxes, Cuts]:
     while len(waiting):
         sides, cuts = cuts[: len(waiting)], cuts[len(waiting) :]
         if len(sides) < len(waiting) or not np.all((sides >= WHOLE) & (sides < len(box))):
-            raise ValueError(f"{len(waiting)} parts have the cuts {sides.tolist()}")
+            raise ValueError(f"{len(waiting)} parts do not match the cuts {sides.tolist()}")
         parts.append(waiting[sides == WHOLE])
         rows = np.flatnonzero(sides != WHOLE)
         # The order is that of `cover_below`: first halves before second ones.

@@ -69,7 +69,7 @@ def factor_list(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]
         constant, others = sp.factor_list(polynomial)
         return constant, others
     if not below.is_Rational:
-        raise sp.PolynomialError(f"no polynomial: {polynomial}")
+        raise sp.PolynomialError(f"not a polynomial: {polynomial}")
     return number / below, factors
 
 
@@ -83,13 +83,13 @@ def _factor_product(product: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]
             first, known = found.get(factor.as_expr(), (factor, 0))
             found[factor.as_expr()] = first, known + times * _to_count(power)
     if not (number.is_Rational and number):
-        raise sp.PolynomialError(f"zero, or divided by it: {product}")
+        raise sp.PolynomialError(f"zero, or divided by zero: {product}")
     return number, [(f.as_expr(), n) for f, n in sorted(found.values(), key=_sort_key)]
 
 
 def _to_count(power: sp.Expr) -> int:
     if not (power.is_Integer and power > 0):
-        raise sp.PolynomialError(f"no power of a polynomial: {power}")
+        raise sp.PolynomialError(f"not the power of a polynomial: {power}")
     return int(power)
 
 
@@ -242,7 +242,7 @@ class _Ring:
             base, power = _split_power(node)
             if base != node:
                 return self.read(base) ** power
-        raise sp.PolynomialError(f"no polynomial: {node}")
+        raise sp.PolynomialError(f"not a polynomial: {node}")
 
     def read_quotient(self, node: sp.Expr) -> _Quotient:
         """Return numerator and denominator of an expression; the latter may be zero."""

@@ -64,7 +64,7 @@ def plan_function(node: sp.Basic, own: Rules) -> Plan:
         return apply(lambda value: value), (node.rewrite(_WRITTEN_BY[kind], deep=False),)
     method = own.get(kind) or _ALIKE.get(kind)
     if method is None:
-        raise NotImplementedError(f"no series of {kind.__name__}")
+        raise NotImplementedError(f"no series is known for {kind.__name__}")
     return apply(method), node.args
 
 

@@ -140,7 +140,7 @@ def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
     notes = [f"{capitalise(form.note)}."] if form.note else []
     notes += _approximations(kernel)
     part = form.on or quantity.on
-    notes += [f"Domain as that of `{quantity.name}`" + (f", {part.text}." if part else ".")]
+    notes += [f"Same domain as `{quantity.name}`" + (f", {part.text}." if part else ".")]
     notes += [f"Source: {form.source}."] if form.source else []
     return (
         f"Compute `{quantity.name}` by another form: {form.name}.",
@@ -322,7 +322,7 @@ def _approximations(kernel: Kernel) -> list[str]:
     names = input_names(kernel.quantity)
     return [
         f"Approximation, {form.name}: |result - exact| <= {write_formula(form.bound, names)}, "
-        "rounding apart."
+        "apart from rounding."
         for form in kernel.forms
         if form.bound is not None
     ]

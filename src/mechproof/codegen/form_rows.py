@@ -91,7 +91,7 @@ def _note_differentiated(row: Row, quantity: Quantity) -> Row:
 def _tell_derivatives(row: Row) -> Row:
     """Turn a row about a kernel's source into one about the source of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
-    latex = latex.replace("its definition", "what the chain rule makes of the definition")
+    latex = latex.replace("its definition", "the derivatives of its definition by the chain rule")
     return replace(row, number=f"{DERIVATIVES}{row.number}", printed_latex=latex)
 
 
@@ -168,7 +168,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     number = number_form(quantity, form)
     shown = _show(kernel.name)
     meant = "its definition" if kernel.is_shipped else f"the definition of {_show(quantity.name)}"
-    meant += "" if form.bound is None else " to a bound"
+    meant += "" if form.bound is None else " within a bound"
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {write_formula(form.bound, {})}"
     definition = _write_out(quantity.definition, paper)
@@ -193,7 +193,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
             f"{number}{LEGAL}",
             rf"\text{{the rewrites of {shown} are legal}}",
             Conjunction(tuple(map(Holds, obligations))),
-            note=f"What {rewrites} ask for.",
+            note=f"The conditions of {rewrites}.",
             on=on,
         )
     for solved in enclosures:
@@ -203,7 +203,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
                 f"{number}{CONVERGES}",
                 rf"\text{{Newton's steps in {shown} lead to the one root in the bracket}}",
                 _state_steps(written, solved),
-                note=f"{solved.exact.steps} steps leave no more than 2**-64 of the bracket.",
+                note=f"{solved.exact.steps} steps leave an error of at most 2**-64 of the bracket.",
                 on=_widen(on),
             )
     for enclosure in enclosures:
@@ -214,7 +214,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
             f"{number}{NEAR_ZERO}",
             rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
             _state_enclosure(written, enclosure),
-            note="Beyond it what it stands for is computed.",
+            note="Outside this range the function itself is computed.",
             on=Part(
                 f"|{enclosure.symbol}| <= {enclosure.limit}",
                 {enclosure.symbol: sp.Interval(-enclosure.limit, enclosure.limit)},

@@ -52,7 +52,7 @@ def read_module(source: str) -> dict[str, RecordedFunction]:
     functions = read_functions(source, _offer)
     (held,) = functions.pop("").ways
     if others := {step.result for step in held.operations} - HELD:
-        raise SourceError(f"no module holds {min(others)}")
+        raise SourceError(f"a module must not contain {min(others)}")
     return {name: _join_conditions(name, function) for name, function in functions.items()}
 
 
@@ -62,7 +62,7 @@ def _offer(tape: Tape) -> dict[str, Any]:
     def act(name: str, value: Value, *last: Any, **named: Any) -> Value:
         given = name, *show(last), *((word, show(axes)) for word, axes in named.items())
         if given not in OF_AXES:
-            raise SourceError(f"no operation is written {given}")
+            raise SourceError(f"no operation is written as {given}")
         kind, *numbers = OF_AXES[given]
         return tape.record(kind, value, *numbers)
 
@@ -78,7 +78,7 @@ def _join_conditions(name: str, function: RecordedFunction) -> RecordedFunction:
     if not name.startswith(CHECK):
         return function
     if not (isinstance(outputs, tuple) and outputs and made.issuperset(outputs)):
-        raise SourceError(f"{name} returns {outputs}, no conditions")
+        raise SourceError(f"{name} returns {outputs} instead of conditions")
     joined = join_conditions(replace(way, outputs=outputs))
     return replace(function, ways=(joined, *function.ways[1:]))
 

@@ -67,17 +67,17 @@ class _Instrument(ast.NodeTransformer):
 
     def visit(self, node: ast.AST) -> Any:
         if type(node).__name__ not in KNOWN:
-            _refuse(node, f"no emitted code has {ast.unparse(node)!r}")
+            _refuse(node, f"emitted code never contains {ast.unparse(node)!r}")
         block = node.body if isinstance(node, ast.FunctionDef | ast.If | ast.With) else []
         if any(isinstance(statement, ast.Return) for statement in block[:-1]):
             # Code after a return never runs, so no tape would show it.
-            _refuse(node, "more comes after a return")
+            _refuse(node, "code after a return")
         return super().visit(node)
 
     def visit_alias(self, node: ast.alias) -> ast.alias:
         # Otherwise one function could be called under the name of another.
         if node.asname not in (None, SHORT.get(node.name, f"_{node.name}")):
-            _refuse(node, f"{node.name} is called {node.asname}")
+            _refuse(node, f"{node.name} is imported as {node.asname}")
         return node
 
     def visit_arg(self, node: ast.arg) -> ast.arg:
@@ -115,7 +115,7 @@ class _Instrument(ast.NodeTransformer):
 
 def _check_type(node: ast.expr | None) -> None:
     if node is not None and ast.unparse(node) not in TYPES:
-        _refuse(node, f"nothing is of the type {ast.unparse(node)}")
+        _refuse(node, f"emitted code never uses the type {ast.unparse(node)}")
 
 
 def _refuse(node: ast.AST, reason: str) -> None:
@@ -136,7 +136,7 @@ class Module:
 
     def __init__(self, tape: Tape, name: str, offered: Mapping[str, Any]) -> None:
         if not MODULES.fullmatch(name):
-            raise SourceError(f"no emitted code imports {name}")
+            raise SourceError(f"emitted code never imports {name}")
         self._tape, self._name, self._offered = tape, name, offered
 
     def __getattr__(self, name: str) -> Any:
@@ -146,7 +146,7 @@ class Module:
         if f"#{name}" in CONSTANTS:
             return self._tape.value(f"#{name}")
         if kind not in KINDS and not self._name.startswith("mechproof."):
-            raise SourceError(f"no operation is written {self._name}.{name}")
+            raise SourceError(f"no operation is written as {self._name}.{name}")
         return partial(self._tape.record, kind if kind in KINDS else f"_{name}")
 
 

@@ -228,7 +228,7 @@ def find_errors(result: Any, truth: Truth) -> Errors:
     """
     result = np.asarray(result)
     if result.shape != truth.high.shape:
-        raise ValueError(f"result: shape {result.shape}, the truth has {truth.high.shape}")
+        raise ValueError(f"the result has shape {result.shape}, the truth {truth.high.shape}")
     with np.errstate(all="ignore"):
         # The first difference is exact if the result is within a factor of 2 of the truth
         # (Sterbenz 1974), so that errors of a few ulps are not blurred.

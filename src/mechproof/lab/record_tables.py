@@ -130,7 +130,7 @@ def list_lines(
         shared = _share_assumptions([claim for _, claim in proved])
         yield PROVED
         if shared:
-            yield f"Assumed of all: {'; '.join(shared)}.\n"
+            yield f"Assumed throughout: {'; '.join(shared)}.\n"
         yield from _table(PROVED_HEAD, (_describe_claim(*pair, shared) for pair in proved))
     for record in records:
         yield f"\n## {record.quantity}\n"
@@ -222,7 +222,9 @@ def _describe_verdict(way: MeasuredWay) -> str:
     if not way.bound:
         return way.verdict + part
     return (
-        way.verdict + (", bounded apart" if way.verdict == MEASURED else ", with its bound") + part
+        way.verdict
+        + (", bounded separately" if way.verdict == MEASURED else ", with its bound")
+        + part
     )
 
 

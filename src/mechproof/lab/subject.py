@@ -168,7 +168,7 @@ def find_subjects(
     for name in names:
         if not any(goes_by(subject.name, name) for subject in subjects):
             known = ", ".join(subject.name for subject in subjects)
-            reason = f"is not one of {known}" if known else "is not there: no quantity is stated"
+            reason = f"is not one of {known}" if known else "does not exist: no quantity is stated"
             raise ValueError(f"quantity {name!r} {reason}")
     return tuple(s for s in subjects if not names or any(goes_by(s.name, name) for name in names))
 
@@ -196,7 +196,7 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
     points = derivation.load_part(place, "points")
     names = {quantity.name for quantity in paper.quantities}
     if surplus := sorted({*peers, *getattr(points, "POINTS", {})} - names):
-        raise ValueError(f"peers and points of {paper.system}: no quantities {surplus}")
+        raise ValueError(f"peers and points of {paper.system}: unknown quantities {surplus}")
     modules = (
         derivation.load_kernels(paper.system, generated),
         derivation.load_kernels(f"forms.{paper.system}", generated),

@@ -221,7 +221,9 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
                 _require_inside(kernel.name, point, float(value), ball)
         telling += all(ball.rad() <= TELLING * abs(ball).upper() + LEAST_NORMAL for ball in balls)
     if not telling:
-        raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
+        raise TranslationError(
+            f"{kernel.name}: at every point, the ball of the program is too wide to show an error"
+        )
 
 
 def check_meaning(subject: Subject) -> None:
@@ -333,7 +335,7 @@ def _require_accuracy(
         shown = ", ".join(repr(np.asarray(a[worst]).tolist()) for a in arguments)
         raise TranslationError(
             f"{how}{subject.name}({shown}): {np.asarray(result)[worst]!r}, the oracle gives "
-            f"{truth.high[worst]!r}: {errors[worst]:.3g} of {accuracy.ulp:g} eps"
+            f"{truth.high[worst]!r}: off by {errors[worst]:.3g} eps, allowed are {accuracy.ulp:g}"
         )
 
 

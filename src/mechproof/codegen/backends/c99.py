@@ -49,11 +49,11 @@ WIDTH = 90
 # Line endings after which a blank line is kept.
 ENDS = ("}", "*/", ");")
 ACCURACY = {
-    False: "Accuracy is the bound of the error that the tests hold; eps = 2**-52. What the help of "
-    "the NumPy kernels says is proved of compiled kernels is proved of these: without contractions "
-    "they compute the same.",
-    True: "Accuracy is the largest error that a search has found, in floats as they are computed "
-    "here, where no value on the way leaves their range; eps = 2**-23.",
+    False: "Accuracy is the error bound that the tests enforce; eps = 2**-52. What the help of the "
+    "NumPy kernels calls proved for compiled kernels is proved for these, too: without "
+    "contractions they compute the same.",
+    True: "Accuracy is the largest error that a search has found, in floats computed as here, "
+    "provided that no intermediate value leaves their range; eps = 2**-23.",
 }
 # Contracted operations would round differently from the proofs; errno and traps would keep loops
 # from being vectorised.
@@ -144,11 +144,9 @@ def render_c_kernels(
     after the other for each point.
     """
     if file.lower() in HEADERS:
-        raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
+        raise ValueError(f"{file}: C has a header {file.lower()}.h; choose another name")
     if f"{file}_".startswith(HELPER):
-        raise ValueError(
-            f"{file}: what begins with {HELPER} are helpers, kernels need another name"
-        )
+        raise ValueError(f"{file}: {HELPER} is the prefix of helper functions; choose another name")
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     language = replace(language, name=partial(spell_in_c, file=file))
     folded, reductions = fold_sums(kernels)

@@ -55,10 +55,10 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
 )
 # Docstring lines of modules that have sums.
 SUMMED = (
-    "Sums over axes are added in the order of the index, with the rest of every addition. Many",
-    "sets of terms are added beside each other, each to the bits that it has alone. Inside",
-    "functions that numba compiles they take one array of terms for each argument, or a number for",
-    "equal ones.",
+    "Sums over axes are added in the order of the index, keeping the rounding error of every",
+    "addition. Many sets of terms are added side by side, each to the same bits as alone. Inside",
+    "functions that numba compiles, a sum takes one array of terms for each argument, or a number",
+    "if all are equal.",
     "",
 )
 
@@ -79,12 +79,12 @@ def _describe(system: str) -> tuple[str, ...]:
         f"Compiled kernels of the system `{system}`: one loop for each, by numba.",
         "",
         f"Names, arguments, domains, NaN and errors are those of `mechproof.kernels.{system}`,",
-        "and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba",
-        "compiles can call kernels, of numbers with arrays, too; arguments with components are",
-        "then indexed, and so are results.",
+        "and so are the formulas. Kernels take numbers and NumPy arrays. Functions that numba",
+        "compiles can call them, also with numbers and arrays mixed; arguments and results with",
+        "components are then indexed.",
         "",
-        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors",
-        "is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.",
+        "Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help",
+        "states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.",
         "",
         f"Elementary functions: `{ELEMENTARY.strip('_.')}` {_hash_elementary()}.",
         "",
@@ -97,9 +97,9 @@ SUPPORT_FOLDER = Path(__file__).parents[2] / "compiled_support"
 ELEMENTARY_TEXT = (
     "Elementary functions in plain arithmetic, for compiled kernels.",
     "",
-    "What their approximations are off by is enclosed in balls over the whole interval.",
-    f"Angles up to {DOUBLE.largest} rad are reduced here. Farther out the C library's functions",
-    "are taken if `exact` is true; for None it is NaN.",
+    "The errors of their approximations are enclosed in balls over the whole interval.",
+    f"Angles up to {DOUBLE.largest} rad are reduced here. Beyond that the C library's functions",
+    "are used if `exact` is true; if it is None the result is NaN.",
     "",
 )
 

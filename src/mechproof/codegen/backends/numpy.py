@@ -193,7 +193,7 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
     """Render a template with `data`; ValueError unless the template uses exactly its keys."""
     asked, template = _compile((folder / name).read_text(encoding="utf-8"), folder)
     if asked != set(data):
-        raise ValueError(f"template {name}: asks for {sorted(asked)}, is given {sorted(data)}")
+        raise ValueError(f"template {name} asks for {sorted(asked)}, but is given {sorted(data)}")
     return template.render(data)
 
 

@@ -152,9 +152,9 @@ def _mean(step: Operation, script: Script) -> Operation:
 def _refuse(kernel: Kernel, script: Script) -> None:
     """Raise NotImplementedError for sums over axes, and for vectors if the language has none."""
     if kernel.code.indexed:
-        raise NotImplementedError("formulas take no axes of any length to sum over")
+        raise NotImplementedError("formulas cannot sum over axes of arbitrary length")
     if (kernel.code.vectors or kernel.code.shape) and not script.takes_vectors:
-        raise NotImplementedError("functions take and return numbers there, no vectors")
+        raise NotImplementedError("functions there take and return numbers, not vectors")
 
 
 def _refuse_rests(kernel: Kernel, paper: Paper, script: Script) -> None:
@@ -166,10 +166,10 @@ def _refuse_rests(kernel: Kernel, paper: Paper, script: Script) -> None:
             if other.is_alternative and other.quantity.name == kernel.quantity.name
             if not _list_rests(other, script)
         ]
-        offer = f"; {' or '.join(others)} does without" if others else ""
+        offer = f"; {' or '.join(others)} does without them" if others else ""
         raise NotImplementedError(
-            "compilers of arrays may take sums and products together, which destroys what "
-            f"roundings left ({', '.join(lost)}){offer}"
+            "compilers of arrays may merge sums and products, which destroys the rounding errors "
+            f"kept in {', '.join(lost)}{offer}"
         )
 
 
@@ -301,7 +301,7 @@ def describe_formula(kernel: Kernel, paper: Paper) -> Iterable[str]:
     yield from fill(f"Domain: {describe_domain(quantity, paper)}.")
     if kernel.is_shipped and (told := tell_bound(quantity)):
         yield from fill(
-            f"Accuracy of the NumPy kernel, tested: {told}, eps = 2**-52. In another language last "
-            "digits are those of its own functions."
+            f"Tested accuracy of the NumPy kernel: {told}, eps = 2**-52. In another language the "
+            "last digits depend on its own functions."
         )
     yield from fill(f"Source: {quantity.source}.")

@@ -106,7 +106,7 @@ def _fill(
 
 def _refuse_few(facts: Facts, columns: Columns, name: str) -> Columns:
     if count_points(columns) < facts.part(FEWEST):
-        raise ValueError(f"{name}: {count_points(columns)} points lie in the domain")
+        raise ValueError(f"{name}: only {count_points(columns)} points lie in the domain")
     return columns
 
 

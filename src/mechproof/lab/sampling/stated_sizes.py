@@ -205,7 +205,9 @@ class Facts:
         place = ZeroSet(written_out.lhs - written_out.rhs, row.text or str(row.equation))
         own, others = place.split(self.symbols)
         if not own or not all(s.is_integer for s in others):
-            raise ValueError(f"singular set {row.equation}: {others} are no arguments or integers")
+            raise ValueError(
+                f"singular set {row.equation}: {others} are neither arguments nor integers"
+            )
         return place
 
     @cached_property

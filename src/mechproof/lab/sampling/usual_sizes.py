@@ -40,7 +40,9 @@ def draw_cell(facts: Facts, rng: Rng, cell: Sides) -> Arguments:
     parts = [_keep_sizes(narrow, cell, columns) for columns in drawn]
     joined = {s: np.concatenate([part[s] for part in parts])[:IN_CELL] for s in facts.symbols}
     if count_points(joined) < facts.part(FEWEST):
-        raise ValueError(f"{count_points(joined)} points of the cell {dict(cell)} in the domain")
+        raise ValueError(
+            f"only {count_points(joined)} points of the cell {dict(cell)} are in the domain"
+        )
     return facts.pack(joined)
 
 
