@@ -74,8 +74,8 @@ def test_a_tailored_kernel_is_within_its_bound(place: Path, name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "sizes", "seam"),
     [
-        ("direction", {"x": (-0.5, 0.75)}, r"jumps or is undefined about -?\d.\d+e-1\d:"),
-        ("rest", {"y": (0.5, 3)}, "jumps or is undefined about 2:"),
+        ("direction", {"x": (-0.5, 0.75)}, r"jumps or is undefined near -?\d.\d+e-1\d:"),
+        ("rest", {"y": (0.5, 3)}, "jumps or is undefined near 2:"),
     ],
 )
 def test_a_seam_within_the_range_is_named(
@@ -104,7 +104,7 @@ def test_the_command_writes_one_and_refuses_a_seam(place: Path) -> None:
         done = run(*refused)
     assert done.exit_code == 2
     told = " ".join(done.output.split())
-    assert "y = (1.0, 3.0): functions.rest jumps or is undefined about 2" in told
+    assert "y = (1.0, 3.0): functions.rest jumps or is undefined near 2" in told
 
 
 def test_a_derivation_that_fails_is_told(place: Path, tmp_path: Path) -> None:

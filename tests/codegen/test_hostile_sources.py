@@ -73,7 +73,7 @@ def ask(times: int) -> str:
         ("_np.cos(x)", "cos(x)", "'cos' is not defined"),
         ("_np.cos(x)", "_np.log2(x)", "no operation is written as numpy.log2"),
         ("_np.cos(x)", "_np.cos(eval('x'))", "'eval' is not defined"),
-        ("_np.cos(x)", "_np.cos(x.__class__)", "is no value"),
+        ("_np.cos(x)", "_np.cos(x.__class__)", "is not a value"),
         ("_np.cos(x)", "_np.cos(x, x)", "_form_of_f is not as meant"),
         ("_np.cos(x)", "_np.cos(True)", "_form_of_f is not as meant"),
         (RETURN, "    return _form_of_f(x, a, b) / (", "maximum recursion depth"),

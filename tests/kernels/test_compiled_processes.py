@@ -86,4 +86,4 @@ def test_kept_code_is_that_of_the_module(tmp_path: Path) -> None:
 
 @pytest.mark.thorough
 def test_without_a_home_nothing_is_kept_and_this_is_said_once() -> None:
-    assert run(WITHOUT_A_HOME).startswith("1 compiled kernels are compiled anew in every process")
+    assert run(WITHOUT_A_HOME).startswith("1 compiled kernels are recompiled in every process")

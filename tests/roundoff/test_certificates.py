@@ -334,7 +334,7 @@ def test_an_angle_without_symmetry_is_refused() -> None:
     _, subject = plain()
     first, *others = subject.straight.steps
     lopsided = Step("odd", "add", ("phi1", 1), 0.5)
-    with pytest.raises(ValueError, match="negated"):
+    with pytest.raises(ValueError, match="an odd and an even term"):
         check_signs(
             replace(subject.straight, steps=(first, lopsided, *others)),
             subject.form,

@@ -123,7 +123,7 @@ def test_the_sign_of_another_argument_is_refused(
         signed = step.kind == "copysign" and step.operands[1] == one
         return replace(step, operands=(step.operands[0], other)) if signed else step
 
-    with pytest.raises(ValueError, match="the sign is not that of"):
+    with pytest.raises(ValueError, match="does not change its sign with"):
         prove_changed(kind, change(kind, swap), monkeypatch)
 
 
@@ -195,5 +195,5 @@ def test_another_comparison_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_parts_of_another_program_are_refused() -> None:
     program = build("tangent_quotient", DOUBLE).program
     assert find_part(program, "tangent_above") != find_part(program, "tangent_below")
-    with pytest.raises(ValueError, match="no part of"):
+    with pytest.raises(ValueError, match="not a part of"):
         find_part(build("sin", DOUBLE).program, "tangent_above")

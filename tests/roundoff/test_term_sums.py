@@ -207,9 +207,9 @@ def test_sums_whose_terms_may_cancel_are_refused() -> None:
 @pytest.mark.parametrize(
     ("change", "why"),
     [
-        (lambda total: sp.sqrt(total) + 1, "no power of a sum"),
-        (lambda total: total**2, "no power of a sum"),
-        (lambda total: sp.sqrt(total) * sp.exp(-total), "no power of a sum"),
+        (lambda total: sp.sqrt(total) + 1, "not a power of at most 1 of a sum"),
+        (lambda total: total**2, "not a power of at most 1 of a sum"),
+        (lambda total: sp.sqrt(total) * sp.exp(-total), "not a power of at most 1 of a sum"),
     ],
 )
 def test_what_is_no_power_of_the_sum_is_refused(change: Any, why: str) -> None:

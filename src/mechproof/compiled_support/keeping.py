@@ -52,7 +52,7 @@ def compile_kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 @cache
 def _say_once() -> None:
     warnings.warn(
-        "compiled kernels are compiled anew in every process: no folder for them can be written; "
+        "compiled kernels are recompiled in every process, as no cache folder can be written; "
         "name one in NUMBA_CACHE_DIR",
         RuntimeWarning,
         stacklevel=3,

@@ -75,7 +75,7 @@ def single(value: Any) -> Any:
     """Return the value in float32; ArithmeticError for Python numbers, to try NumPy's."""
     if type(value) is float:
         # Combined with float32, Python numbers would not count as doubles.
-        raise ArithmeticError("a number of Python's has no single precision")
+        raise ArithmeticError("a Python number has no single precision")
     return value.astype(np.float32)
 
 

@@ -53,7 +53,7 @@ def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
         return [sp.Or(*(sp.Eq(item, value) for value in values.args))]
     if not isinstance(values, sp.Interval):
         known = "Interval, FiniteSet, Naturals or Reals"
-        raise ValueError(f"{item}: no relations for the set {values}; {known}")
+        raise ValueError(f"{item}: no relations for the set {values}; use {known}")
     low = sp.Lt if values.left_open else sp.Le
     high = sp.Lt if values.right_open else sp.Le
     return [

@@ -17,7 +17,7 @@ class Degree:
 
     def __add__(self, other: Degree) -> Degree:
         if self.powers != other.powers:
-            raise ValueError("a sum of what is scaled and what is not")
+            raise ValueError("a sum of differently scaled values")
         return self
 
     __sub__ = __add__
@@ -42,7 +42,7 @@ NONE = Degree({})
 
 def _take_plain(*degrees: Degree) -> Degree:
     if any(degree.powers for degree in degrees):
-        raise ValueError("a function of what is scaled")
+        raise ValueError("a function of a scaled value")
     return NONE
 
 

@@ -93,7 +93,7 @@ def build_functions(paper: Paper) -> Functions:
         except NotImplementedError as error:
             refused[quantity.name] = (
                 f"quantity {quantity.name}: {error}; known are powers, Piecewise, Max, Min, "
-                f"{KNOWN}: write its forms by these, or leave them out for no kernel of it"
+                f"{KNOWN}: write its forms with these, or leave them out to have no kernel"
             )
     return Functions(tuple(kernels), refused)
 

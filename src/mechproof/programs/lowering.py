@@ -232,9 +232,9 @@ class Lowering:
 
     def _total(self, total: sp.Sum, form: str = "quadratic_form") -> Operand:
         if not total.has(sp.Indexed):
-            most = f"up to {MOST_TERMS} terms"
             raise NotImplementedError(
-                f"no operation for {total}, but for axes of arguments and {most}"
+                f"no operation for {total}: sums must run over axes of arguments or have up to "
+                f"{MOST_TERMS} terms"
             )
         # The outermost index of a double sum is last in `limits` and first among the axes.
         self._axes = tuple(index for index, *_ in reversed(total.limits))

@@ -124,13 +124,13 @@ class Arithmetic:
         if kind not in self._derived:
             meaning = KINDS[kind].meaning if kind in KINDS else None
             if meaning is None:
-                raise KeyError(f"{kind}: no operation of this arithmetic")
+                raise KeyError(f"{kind} is not an operation of this arithmetic")
             self._derived[kind] = partial(meaning, self)
         return self._derived[kind]
 
     def __getattr__(self, kind: str) -> Callable[..., Any]:
         if kind.startswith("_") or kind not in self:
-            raise AttributeError(f"{kind}: no operation of this arithmetic")
+            raise AttributeError(f"{kind} is not an operation of this arithmetic")
         return self[kind]
 
 

@@ -141,6 +141,6 @@ def _check_turns(program: Program) -> None:
         if operation.kind == "whole_turns_off" or (uses and operation.kind in ("single", "copy")):
             angles.add(operation.result)
         elif uses and operation.kind not in PERIODIC:
-            raise ValueError(f"{operation.kind} of an angle less whole turns")
+            raise ValueError(f"{operation.kind} of an angle reduced by whole turns")
     if angles.intersection(program.outputs):
-        raise ValueError("an angle less whole turns is an output")
+        raise ValueError("an angle reduced by whole turns is an output")

@@ -199,7 +199,7 @@ def show(value: Any) -> Any:
             return repr(value)
         case int() | float() | str():
             return value
-    raise ValueError(f"{value!r} is no value")
+    raise ValueError(f"{value!r} is not a value")
 
 
 # Indices that view a vector along the first or the last of two axes.

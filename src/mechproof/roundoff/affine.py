@@ -82,7 +82,7 @@ def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Bas
     size = scale.subs({first: 1, **dict.fromkeys((*others, *shift), 0)})
     lengths = [sp.sqrt(sum(s**2 for s in symbols)) for symbols in (points, shift)]
     if scale != size * lengths[0] + lengths[1] or size.free_symbols & {*points, *shift}:
-        raise ValueError(f"{scale} is no multiple of the size of a point and the size of a shift")
+        raise ValueError(f"{scale} is not a multiple of a point's size plus a shift's size")
     return size
 
 

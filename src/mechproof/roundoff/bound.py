@@ -188,7 +188,7 @@ class ErrorAnalysis:
     def _sum_all(self, operand: Operand) -> Ends:
         """Bound the absolute error of an operand; ValueError if held roundings are not counted."""
         if self.held:
-            raise ValueError(f"{operand}: an argument may be off by what is held: {self.held}")
+            raise ValueError(f"{operand}: an argument may be off by held values: {self.held}")
         return self.sum_errors(operand, ErrorScale(self._one, False)) * EPS
 
     @property

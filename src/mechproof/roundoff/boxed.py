@@ -115,9 +115,9 @@ def put_in_box(
 ) -> BoxedProgram:
     """Return a program over a box; ValueError for operations without a rule or empty ranges."""
     if not straight.inputs:
-        raise ValueError("it has no letter, so that there is no box to bound it over")
+        raise ValueError("it has no letters, so there is no box to bound it over")
     if unknown := sorted({step.kind for step in straight.steps} - KINDS):
-        raise ValueError(f"no rounding of {', '.join(unknown)} can be bounded")
+        raise ValueError(f"roundings of {', '.join(unknown)} cannot be bounded")
     steps = tuple(_state_error(step, convention) for step in straight.steps)
     straight = share_equal_steps(replace(straight, steps=steps))
     straight = keep_needed(straight)
@@ -154,7 +154,7 @@ def _enclose(name: str, ends: Range, convention: Convention) -> Side:
     if high != ends[1] and (high > ends[1]) is inward:
         high = math.nextafter(high, -math.inf if inward else math.inf)
     if low > high:
-        raise ValueError(f"{name}: no double is in [{ends[0]}, {ends[1]}]")
+        raise ValueError(f"{name}: no double lies in [{ends[0]}, {ends[1]}]")
     return low, high
 
 

@@ -202,7 +202,7 @@ def _bound_again(subject: ComputedStage, cuts: Cuts) -> Iterator[Array]:
         boxes, cuts = cut_again(region.box, region.count_first(), cuts)
         yield subject.bound(region, boxes)
     if len(cuts):
-        raise ValueError(f"cuts that no region has: {cuts.tolist()}")
+        raise ValueError(f"cuts left over after all regions: {cuts.tolist()}")
 
 
 def _list_regions(subject: ComputedStage) -> Iterator[ChartRegion]:
@@ -267,7 +267,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     if worst.eps > proved + subject.more:
         at = {name: value.hex() for name, value in worst.at.items()}
         raise ArithmeticError(
-            f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, where at most "
+            f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, although at most "
             f"{proved + subject.more} are proved"
         )
     return RoundingClaim(
@@ -324,4 +324,4 @@ def read_cuts(text: str) -> Cuts:
     try:
         return np.frombuffer(zlib.decompress(b64decode(text, validate=True)), np.int8)
     except zlib.error as error:
-        raise ValueError(f"{text[:20]!r}: no cuts: {error}") from error
+        raise ValueError(f"{text[:20]!r} cannot be read as cuts: {error}") from error

@@ -48,7 +48,9 @@ def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
         for output in straight.outputs:
             if not _is_still(straight, name, products, output):
-                raise ValueError(f"an output depends on the rounding of {name}, its rest apart")
+                raise ValueError(
+                    f"an output depends on the rounding of {name} in spite of its rest"
+                )
     return replace(straight, held=products)
 
 
@@ -203,7 +205,7 @@ def find_scaled(straight: StraightLineProgram) -> StraightLineProgram:
             try:
                 known[step.result] = DEGREES[step.kind](*given)
             except (KeyError, ValueError) as error:
-                raise ValueError(f"{step.result}: {step.kind} of what is scaled") from error
+                raise ValueError(f"{step.result}: {step.kind} of a scaled value") from error
     scaled = tuple(str(result) for result, degree in known.items() if degree.powers)
     if any(output in scaled for output in straight.outputs):
         raise ValueError("an output is scaled")

@@ -69,7 +69,7 @@ def find_part(program: Program, kind: str) -> str:
     for result, found in _describe(program).items():
         if found == meant:
             return result
-    raise ValueError(f"{kind} is no part of {program.inputs} -> {program.outputs}")
+    raise ValueError(f"{kind} is not a part of {program.inputs} -> {program.outputs}")
 
 
 def _describe(program: Program) -> dict[str, str]:

@@ -333,7 +333,7 @@ def _list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
     kinds = {step.kind for branch in branches for step in branch.straight.steps}
     if unknown := sorted(kinds - (KINDS - UNPROVED)):
         raise ValueError(
-            f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
+            f"roundings of {', '.join(unknown)} cannot be bounded: leave out the charts"
         )
     return branches
 
@@ -343,8 +343,7 @@ def _check_functions(straight: StraightLineProgram) -> None:
     assumed = {step.kind for step in straight.steps if not step.proved} & FUNCTIONS.keys()
     if assumed:
         raise ValueError(
-            f"nothing is proved of {', '.join(sorted(assumed))} as it is compiled: "
-            "leave out the charts"
+            f"nothing is proved about compiled {', '.join(sorted(assumed))}: leave out the charts"
         )
 
 
@@ -353,11 +352,11 @@ def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -
     if not stage.affine:
         return None
     if any(step.kind == CHOICE for step in straight.steps):
-        raise ValueError("a map that chooses")
+        raise ValueError("an affine map must not contain choices")
     names = input_names(quantity)
     points = tuple(names[s] for s in quantity.arguments[0].symbols)
     shift = tuple(map(str, straight.outputs[-len(points) :]))
     if not {*shift} <= {*straight.inputs}:
-        raise ValueError("a shift that is computed")
+        raise ValueError("the shift of an affine map must consist of inputs")
     inputs = (*points, *stage.parameters)
     return AffineMap(replace(straight, inputs=inputs), points, shift)

@@ -218,7 +218,7 @@ def _check_signs(program: Program, arguments: Sequence[str]) -> None:
     for turned in arguments:
         parities = find_parities(program, {n: ODD if n == turned else EVEN for n in program.inputs})
         if any(parities[str(output)] == EVEN for output in program.outputs):
-            raise ValueError(f"the sign is not that of {turned}")
+            raise ValueError(f"the result does not change its sign with {turned}")
 
 
 def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:

@@ -43,7 +43,7 @@ class MixedBoxesError(Exception):
     """Raised if a decision differs between boxes; each box is in one of the masks."""
 
     def __init__(self, path: tuple[int, ...], masks: Sequence[Mask]) -> None:
-        super().__init__("boxes that differ in what holds")
+        super().__init__("the boxes differ in what holds")
         self.path, self.masks = path, masks
 
 

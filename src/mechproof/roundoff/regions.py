@@ -140,7 +140,7 @@ def express(
     if value.is_Pow:
         return parts[0].power(int(value.args[1]))
     if not (value.is_Add or value.is_Mul):
-        raise ValueError(f"chart: {value} is no polynomial of its coordinates")
+        raise ValueError(f"chart: {value} is not a polynomial in its coordinates")
     total = parts[0]
     for part in parts[1:]:
         total = _add_nearly(total, part) if value.is_Add else total * part
@@ -285,7 +285,7 @@ def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
     if len(found) > 1:
         found = [place for place in found if _is_at_middle(chart, drawn, place)]
     if len(found) != 1 or found[0].keys() != chart.within.keys():
-        raise ValueError(f"chart: {chart.arguments} do not tell their coordinates")
+        raise ValueError(f"chart: {chart.arguments} do not determine their coordinates")
     (place,) = found
     gaps = [gap for name, side in chart.within.items() for gap in _list_gaps(place[name], side)]
     gaps += [off for s, v in fixed.items() for off in (drawn[s] - v, v - drawn[s])]

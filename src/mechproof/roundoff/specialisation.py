@@ -39,7 +39,7 @@ class Whole:
     def __post_init__(self) -> None:
         parts = [number * PARTS for number in (self.each, self.count)]
         if any(p.denominator != 1 or abs(p) > PARTS * MOST_ADDED for p in parts):
-            raise ValueError(f"{self.each} for each turn and {self.count} may be rounded")
+            raise ValueError(f"{self.each} per turn plus {self.count} may be rounded")
 
     def times(self, factor: float) -> Whole:
         """Return the number times a factor, which need not be whole."""
@@ -52,7 +52,7 @@ class Whole:
     def rounded(self, to: Callable[[Fraction], int]) -> Whole:
         """Round to a whole number; an even `each` rounds ties alike, whatever the turns."""
         if self.each.denominator != 1 or (to is round and self.each % 2):
-            raise ValueError(f"{self.each} for each turn decides what rounding does")
+            raise ValueError(f"{self.each} per turn: rounding depends on the number of turns")
         return replace(self, count=Fraction(to(self.count)))
 
 
@@ -131,7 +131,7 @@ class _Resolver:
             self._words.add(value)
             return REST
         if isinstance(value, Whole | bool):
-            raise ValueError(f"{value} is computed with, but is a decision")
+            raise ValueError(f"{value} is a decision, but is used as a number")
         return value.size if isinstance(value, _Signed) else value
 
     def _decide(self, kind: str, first: _Known, second: _Known) -> bool | None:
@@ -192,7 +192,7 @@ class _Resolver:
     def _take_sign(self, kind: str, size: _Known, sign: _Known) -> _Known:
         # Nothing else depends on the sign of an argument, so only the size is passed on.
         if sign not in self._inputs:
-            raise ValueError(f"{sign}: only signs of arguments are put on results")
+            raise ValueError(f"{sign}: only signs of arguments can be given to results")
         value = self._take(size)
         return value if isinstance(value, str) or not value else _Signed(value, str(sign))
 

@@ -23,7 +23,7 @@ class Parity:
 
     def __add__(self, other: Parity) -> Parity:
         if self != other:
-            raise ValueError("a sum of what is negated and what is not")
+            raise ValueError("a sum of an odd and an even term")
         return self
 
     __sub__ = __add__
@@ -50,18 +50,18 @@ def _find_parity(function: Callable[..., sp.Basic], *parities: Parity) -> Parity
         return EVEN
     if isinstance(value, sp.Expr) and turned == -value:
         return ODD
-    raise ValueError(f"{value} of what is negated")
+    raise ValueError(f"{value} is neither odd nor even")
 
 
 def _choose(condition: Parity, a: Parity, b: Parity) -> Parity:
     if condition == ODD:
-        raise ValueError("a choice by what is negated")
+        raise ValueError("a choice by an odd condition")
     return a + b
 
 
 def _turn(above: Parity, ahead: Parity) -> Parity:
     if ahead == ODD:
-        raise ValueError("the angle of a point that is turned about another axis")
+        raise ValueError("the angle of a point whose first coordinate is odd")
     return above
 
 
@@ -113,4 +113,4 @@ def find_parities(
     try:
         return run_steps(straight, {**dict.fromkeys(CONSTANTS, EVEN), **given}, PARITIES)
     except KeyError as error:
-        raise ValueError(f"no parity: {error}") from error
+        raise ValueError(f"no parity is known: {error}") from error

@@ -193,7 +193,7 @@ def _put_number(quantity: Quantity, form: Form, name: str) -> tuple[Quantity, Fo
     value, size = (e.xreplace(values) for e in (quantity.definition, size))
     degree, other = (sp.simplify(number * e.diff(number) / e) for e in (value, size))
     if len(totals) != 1 or not (degree == other and degree.is_Rational and 0 < degree <= 1):
-        raise ValueError("no power of a sum up to the first and a factor: leave out the charts")
+        raise ValueError("not a power of at most 1 of a sum, times a factor: leave out the charts")
     if accuracy and scale:
         accuracy = replace(accuracy, scale=Scale(scale.name, size))
     charts = tuple(_add_number(chart, number) for chart in form.charts)

@@ -114,7 +114,9 @@ def build(request: Request) -> Built:
     """Build the model; raise ValueError if the error cannot be reached."""
     task = Approximand(request, _repetition_over(request))
     if not math.isfinite(task.size):
-        refuse(request.variable, request.ends, f"{request.name} is undefined somewhere there")
+        refuse(
+            request.variable, request.ends, f"{request.name} is undefined somewhere in this range"
+        )
     try:
         try:
             return _build(task, request.error)
@@ -124,7 +126,7 @@ def build(request: Request) -> Built:
     except NotReachedError:
         refuse("error", request.error, "no kernel tailored to these sizes comes near it")
     except BreakError as error:
-        what = f"{request.name} jumps or is undefined about {error.place:.9g}"
+        what = f"{request.name} jumps or is undefined near {error.place:.9g}"
         refuse(request.variable, request.ends, f"{what}: give a range on one side of it")
     where = f"for {request.variable} = {request.ends}" if request.ends else "over one period"
     refuse("error", request.error, f"must be at least {least}: hardly less can be reached {where}")

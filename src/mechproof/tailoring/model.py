@@ -214,7 +214,7 @@ def _round(middle: Series, whole: Series, off: Ball, least: Ball | int = 0) -> T
 def _compare(a: TaylorModel, b: TaylorModel) -> bool:
     """Return whether a <= b; for equal ends either answer will do, as both are enclosed."""
     if a.ends is None or b.ends is None:
-        raise NotImplementedError("no comparison of what is rounded")
+        raise NotImplementedError("rounded values are not compared")
     if a.ends[1] <= b.ends[0]:
         return True
     if a.ends[0] >= b.ends[1]:

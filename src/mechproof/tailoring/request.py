@@ -212,13 +212,13 @@ def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
     system, _, wanted = name.partition(".")
     systems = find_systems(folder or packaged_directory())
     if system not in systems:
-        others = "" if folder else "; derivations=FOLDER has papers of your own"
+        others = "" if folder else "; for papers of your own, give derivations=FOLDER"
         refuse("name", name, f"the system must be one of {', '.join(systems)}{others}")
     paper = load_paper(systems[system]) if folder else load_packaged(system)
     possible = {q.name: q for q in paper.quantities if q.forms and q.is_scalar}
     if wanted not in possible:
-        allowed = ", ".join(possible) or "none can be tailored"
-        refuse("name", name, f"the quantity of {system} must be one of {allowed}")
+        allowed = f"must be one of {', '.join(possible)}" if possible else "cannot be tailored"
+        refuse("name", name, f"the quantity of {system} {allowed}")
     if resolve(possible[wanted].definition, paper.given).has(Root):
         refuse("name", name, "a root of an equation cannot be tailored; call its kernel")
     return paper, possible[wanted]

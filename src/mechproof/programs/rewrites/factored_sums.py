@@ -53,7 +53,7 @@ class Factors:
         try:
             number, factors = factor_list(polynomial)
         except sp.PolynomialError as error:
-            raise ValueError(f"factors: {polynomial} is no polynomial") from error
+            raise ValueError(f"factors: {polynomial} is not a polynomial") from error
         # The number is multiplied last: SymPy would turn 2*(1 - e), with a single sum, into 2 -
         # 2*e.
         sign, result = sp.sign(number), sp.S.One
