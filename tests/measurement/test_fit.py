@@ -90,7 +90,7 @@ def test_readings_that_fit_two_ratios_are_refused() -> None:
     """With spacing h and the output on any turn, ratios 2*pi/h apart give the same readings."""
     phi1 = 0.9 * np.arange(60)
     phi3 = elliptic.position(phi1, 3.0, 1.0, 0.3)
-    with pytest.raises(ValueError, match="do not tell apart R1/R2 = "):
+    with pytest.raises(ValueError, match="do not distinguish R1/R2 = "):
         fit(elliptic.position, phi1, phi3, ratio=(1, 11))
     assert fit(elliptic.position, phi1, phi3, ratio=(1, 6)).values[0] == pytest.approx(3.0)
 

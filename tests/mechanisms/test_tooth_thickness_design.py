@@ -209,7 +209,7 @@ def test_the_coarsest_grade_has_the_risk_and_the_next_has_not() -> None:
             "scale_gauge",
             {"producer_risk": 0.1},
             ValueError,
-            "thickness = Normal.*: it or height must have an error to scale",
+            "thickness = Normal.*: this or height must have an error to scale",
         ),
         (
             inspect(Normal(0.0, [0.001, 0.002])),

@@ -59,10 +59,10 @@ def test_a_derivation_without_pictures_has_no_figures(place: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("FIGURES = 3", "binds no tuple of mechproof.plot.Figure"),
-        ("FIGURES = (1,)", "binds no tuple of mechproof.plot.Figure"),
-        ("pass", "binds no tuple of mechproof.plot.Figure"),
-        (PICTURES + "FIGURES += FIGURES", "two figures of one name: fig-1"),
+        ("FIGURES = 3", "must bind a tuple of mechproof.plot.Figure"),
+        ("FIGURES = (1,)", "must bind a tuple of mechproof.plot.Figure"),
+        ("pass", "must bind a tuple of mechproof.plot.Figure"),
+        (PICTURES + "FIGURES += FIGURES", "two figures with the same name: fig-1"),
         ("1 / 0", "pictures.py:1: ZeroDivisionError"),
     ],
 )

@@ -151,7 +151,7 @@ def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float
         apart = np.abs(other.sizes - best.sizes) > SAME * np.maximum(1, np.abs(best.sizes))
         if apart.any() and other.square - best.square < CLEARANCE * noise**2:
             sets = " and ".join(", ".join(problem.tell(m)) for m in (best, other))
-            text = f"these readings do not tell apart {sets}"
+            text = f"these readings do not distinguish {sets}"
             refuse("phi1", problem.angles, f"{text}; narrow ratio, or read at uneven angles")
     jacobian = problem.differentiate(best.values)
     norms = np.linalg.norm(jacobian, axis=0)

@@ -188,7 +188,7 @@ def _check_correlations(
         found[one, other] = number
     least = np.linalg.eigvalsh(to_matrix(list(uncertain), found)).min()
     # Rounding errors of the eigenvalues are a few eps of their sum.
-    allowed = "must be possible together (their matrix has a negative eigenvalue)"
+    allowed = "must be consistent (their matrix has a negative eigenvalue)"
     require(least > -1e-12 * len(uncertain), "correlations", correlations, allowed)
     return found
 

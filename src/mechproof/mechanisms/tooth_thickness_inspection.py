@@ -282,7 +282,9 @@ class ThicknessInspection(Displayed):
         for error in ("tip_diameter", "height", "thickness"):
             check_symmetric(error, getattr(self, error))
         has_error = any(np.any(law.knots() != 0) for law in (self.height, self.thickness))
-        require(has_error, "thickness", self.thickness, "it or height must have an error to scale")
+        require(
+            has_error, "thickness", self.thickness, "this or height must have an error to scale"
+        )
         tip, *others = self.errors
 
         def scaled(factor: float, tolerance: Window, acceptance: Window) -> Shares:

@@ -82,7 +82,7 @@ class Units:
         return np.radians(as_floats(name, value)[0])
 
     def _convert(self, name: str, value: Any, unit: str) -> Any:
-        require(not self.degrees, name, value, "has a unit; leave out degrees beside it")
+        require(not self.degrees, name, value, "has a unit; leave out degrees")
         wanted = "dimensionless" if unit == "1" else unit
         if not value.is_compatible_with(wanted):
             refuse(name, value, f"must be {MEASURED[unit]} ({unit})", TypeError)

@@ -94,7 +94,7 @@ def check_drawn(name: str, given: Any, kind: type, field: str, shape: tuple[int,
     """Raise TypeError for an object of another kind, ValueError for a `field` of another shape."""
     require(isinstance(given, kind), name, given, f"must be a {kind.__name__}", TypeError)
     found = np.shape(getattr(given, field))
-    require(found == shape, name, found, f"must be of the inputs' shape, {shape}")
+    require(found == shape, name, found, f"must have the inputs' shape, {shape}")
 
 
 def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axes]:

@@ -83,7 +83,12 @@ class Figure:
     def __post_init__(self) -> None:
         """Check the name, the sizes and that `draw` is callable."""
         named = isinstance(self.name, str) and re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name)
-        require(named, "name", self.name, "must be of small letters, digits and single hyphens")
+        require(
+            named,
+            "name",
+            self.name,
+            "must consist of lower-case letters, digits and single hyphens",
+        )
         require(callable(self.draw), "draw", self.draw, "must be callable", TypeError)
         for size in ("width", "height"):
             length = check_real(size, getattr(self, size))
@@ -107,11 +112,13 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
     figures = getattr(module, "FIGURES", None)
     if not isinstance(figures, tuple) or not all(isinstance(f, Figure) for f in figures):
         raise DerivationError(
-            f"{module.__file__}: binds no tuple of mechproof.plot.Figure to the name FIGURES"
+            f"{module.__file__}: must bind a tuple of mechproof.plot.Figure to FIGURES"
         )
     names = [figure.name for figure in figures]
     if twice := sorted({name for name in names if names.count(name) > 1}):
-        raise DerivationError(f"{module.__file__}: two figures of one name: {', '.join(twice)}")
+        raise DerivationError(
+            f"{module.__file__}: two figures with the same name: {', '.join(twice)}"
+        )
     return figures
 
 

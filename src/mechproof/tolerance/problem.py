@@ -79,7 +79,7 @@ class Problem:
         varying = {n: self.sized[n] for n in check_sizes(self.sizes)}
         tied = set().union(*(c.relation.free_symbols for c in self.conditions))
         if varying and not all(tape.is_continuous for tape in self.tapes):
-            raise ValueError("the quantity has branches that need not meet; use Max, Min or Abs")
+            raise ValueError("the quantity may jump between its branches; use Max, Min or Abs")
         moving = self._find_moving(list(varying.values()))
         free = {n: s for n, s in varying.items() if s not in tied | moving}
         self.idle = [n for n, s in free.items() if _is_idle(write_out(), s, domain)]
@@ -238,7 +238,7 @@ def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
         values = sets[name]
         whole = isinstance(values, sp.Interval) or values == sp.S.Reals or not size.tolerance
         inside = whole and all(is_inside(values, limit) for limit in size.limits)
-        require(inside, f"sizes[{name!r}]", size, f"must lie in {values} with its limits")
+        require(inside, f"sizes[{name!r}]", size, f"must lie in {values}, limits included")
 
 
 def check_relation(
@@ -257,7 +257,7 @@ def check_relation(
         holds = condition.decide({}, part)
         if holds is False:
             given = ", ".join(f"sizes[{name!r}] = {size}" for name, size in sizes.items())
-            raise ValueError(f"{given}: must satisfy {condition.relation} with all their limits")
+            raise ValueError(f"{given}: must satisfy {condition.relation} within all limits")
         widest = find_widest(part, box)
         if holds is None and widest is None:
             undecided = True

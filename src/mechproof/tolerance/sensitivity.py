@@ -256,8 +256,8 @@ def allocate_tolerances(
     require(is_list, "names", names, "must be a list of names", TypeError)
     chosen = acting if names is None else list(names)
     unknown = sorted(set(map(str, chosen)) - {*acting})
-    require(chosen and not unknown, "names", unknown, f"must be some of {sorted(steepest)}, "
-            "and the quantity depend on them at the inputs")  # fmt: skip
+    require(chosen and not unknown, "names", unknown, f"must be among {sorted(steepest)}, "
+            "and the quantity must depend on them at the inputs")  # fmt: skip
     shares = _weigh(chosen, steepest, costs)
     factor = width / sum(steepest[n] * share for n, share in shares.items())
     best: Allocation | None = None
@@ -279,7 +279,7 @@ def allocate_tolerances(
         # The width is nearly proportional to the tolerances; without a finite width, halve them.
         factor *= (1 - NEAR / 2) * width / largest if np.isfinite(largest) else 0.5
     if best is None:
-        raise ValueError(f"width = {width!r}: not shown to be kept by any tolerances; raise budget")
+        raise ValueError(f"width = {width!r}: no tolerances are shown to keep it; raise budget")
     return best
 
 

@@ -55,7 +55,7 @@ def find_spans(k: Fraction, asked: BandRequest) -> list[Span]:
     drift = period * abs(as_ball(k) - 1)
     if not drift > 2 * as_ball(asked.band):
         raise Open("in a period the output drifts by no more than the band")
-    if sure(is_above(as_ball(asked.width), period), "w against the period"):
+    if sure(is_above(as_ball(asked.width), period), "whether w is above the period"):
         return []
     return _find_one(k, asked)
 
@@ -70,7 +70,7 @@ def _find_one(k: Fraction, asked: BandRequest) -> list[Span]:
     if EnclosedDrive(k, last).moved(half) + as_ball(asked.band) < 0:
         return []
     if not _holds(k, best, asked):
-        raise Open("the longest dwell is as wide as asked, to 1e-9 of e2")
+        raise Open("the longest dwell is just as wide as asked, to 1e-9 of e2")
     low = _find_low(k, asked)
     high = limit if peak is None else _find_high(k, peak, asked)
     start, end = find_longest(float(k), float(best), float(asked.band))
@@ -91,7 +91,7 @@ def _find_peak(k: Fraction, asked: BandRequest) -> Fraction | None:
     """Return the e2 at which the output turns back by the band; None if there is none."""
     at_limit = EnclosedDrive(k, asked.largest_e)
     if not at_limit.turns_back or sure(
-        is_above(as_ball(asked.band), at_limit.top), "M at the limit"
+        is_above(as_ball(asked.band), at_limit.top), "whether M at the limit is below b"
     ):
         return None
 
@@ -158,7 +158,7 @@ def _check_monotone(k: Fraction, asked: BandRequest) -> None:
         q = drive.exact[1]
         beyond = e == asked.largest_e or drive.top > 2 * as_ball(asked.band)
         if not beyond or e - first < MARGIN:
-            raise Open("the swing may not grow with e2")
+            raise Open("the swing is not shown to grow with e2")
         if k * (q + 1 / q) < 2:
             return
         e = first + (e - first) / 2
@@ -167,8 +167,10 @@ def _check_monotone(k: Fraction, asked: BandRequest) -> None:
 def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
     """Return, decided in balls, whether the output stays in the band over the angle."""
     drive, width, band = EnclosedDrive(k, e), as_ball(asked.width), as_ball(asked.band)
-    if not drive.turns_back or sure(is_above(band, drive.top), "M = b"):
-        return sure(is_above(drive.moved(width / 2), -band), "the width about the place")
+    if not drive.turns_back or sure(is_above(band, drive.top), "whether M is below b"):
+        return sure(
+            is_above(drive.moved(width / 2), -band), "whether the width fits about the place"
+        )
     a = _place_about_turn(drive, float(asked.width))
     start, bottom = as_ball(a), drive.top - 2 * band
     end = start + width
@@ -182,7 +184,7 @@ def _holds(k: Fraction, e: Fraction, asked: BandRequest) -> bool:
         return True
     if all(value < bottom for value in ends):
         return False
-    raise Open("the width about a turn")
+    raise Open("whether the width fits about a turn")
 
 
 def _place_about_turn(drive: EnclosedDrive, width: float) -> float:
@@ -198,13 +200,13 @@ def _find_equal(asked: BandRequest) -> list[Span]:
     """Return the interval for R4 = R5 (row "dwells, equal circles"): L falls as M rises."""
     width, band, limit = map(as_ball, asked)
     least = band.sin()
-    if not sure(is_above(limit, least), "sin(b) against the limit") or width >= width.pi():
+    if not sure(is_above(limit, least), "whether sin(b) is below the limit") or width >= width.pi():
         return []
     rest = (2 * band).cos() - width.cos()
     top = ((2 * band).sin() / rest).atan() if rest > 0 else width.pi() / 2
     low = Fraction(float(least.upper()))
     largest = top.sin()
-    at_limit = sure(is_above(largest, limit), "the largest e2 against the limit")
+    at_limit = sure(is_above(largest, limit), "whether the largest e2 is above the limit")
     high = asked.largest_e if at_limit else Fraction(float(largest.lower()))
     best = min(low + MARGIN, high)
     start, end = find_longest_of_equal(float(best), float(asked.band))

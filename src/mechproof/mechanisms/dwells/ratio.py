@@ -70,7 +70,7 @@ def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
     """
     speeds = Speeds(k, 1 - asked.eta, 1 + asked.eta)
     half = as_ball(k) * as_ball(asked.width)
-    if sure(is_above(half, half.pi()), "w against the period"):
+    if sure(is_above(half, half.pi()), "whether w is above the period"):
         return []
     found: dict[Place, list[tuple[End, End]]] = {
         "slowest": _find_about_pi(speeds, half, asked),
@@ -115,10 +115,10 @@ def _cut(low: list[End], high: list[End]) -> list[tuple[End, End]]:
     """Return the interval from the largest of `low` to the least of `high`, unless it is empty."""
     first, last = low[0], high[0]
     for end in low[1:]:
-        first = end if sure(is_above(end, first), "two ends against each other") else first
+        first = end if sure(is_above(end, first), "which of two ends is larger") else first
     for end in high[1:]:
-        last = end if sure(is_above(last, end), "two ends against each other") else last
-    return [(first, last)] if sure(is_above(last, first), "both ends of an interval") else []
+        last = end if sure(is_above(last, end), "which of two ends is larger") else last
+    return [(first, last)] if sure(is_above(last, first), "whether an interval is empty") else []
 
 
 def _find_about_pi(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[End, End]]:
@@ -168,13 +168,13 @@ def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
     if start == 0 or spare(start) < 0:
         return []
     if not spare(start) > 0:
-        raise Open("the width where both intervals part")
+        raise Open("whether the width fits where both intervals part")
     if spare(asked.largest_e) >= 0:
         return [(start, asked.largest_e)]
     low, high = start, asked.largest_e
     while high - low > MARGIN / 10**3:
         middle = Fraction(float(low + high) / 2)
-        if sure(is_above(spare(middle), 0), "the width between both"):
+        if sure(is_above(spare(middle), 0), "whether the width fits between both intervals"):
             low = middle
         else:
             high = middle
