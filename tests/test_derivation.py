@@ -170,7 +170,7 @@ def test_a_fault_of_a_part_is_named(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", ["", "PAPER = 1\n"])
 def test_a_derivation_binds_a_paper(tmp_path: Path, text: str) -> None:
-    with pytest.raises(DerivationError, match=r"mine\.py: binds no mechproof\.record\.Paper"):
+    with pytest.raises(DerivationError, match=r"mine\.py: must bind a mechproof\.record\.Paper"):
         load_paper(write(tmp_path, mine=text) / "mine.py")
 
 
@@ -181,7 +181,7 @@ def test_what_does_not_exist_is_said(tmp_path: Path) -> None:
 
 def test_two_papers_of_one_name_are_refused(tmp_path: Path) -> None:
     text = f'{PAPER}PAPER = Paper("same", "", (), ())\n'
-    with pytest.raises(DerivationError, match=r"other\.py: its paper has the name 'same'"):
+    with pytest.raises(DerivationError, match=r"other\.py: its paper has the same name"):
         judge_derivations(list(find_systems(write(tmp_path, mine=text, other=text)).values()))
 
 

@@ -153,7 +153,7 @@ def test_what_is_no_list_is_refused(tmp_path: Path, line: str) -> None:
     update(tmp_path)
     (tmp_path / LIST).write_text(f"{line}\n", encoding="latin-1")
     for act in (compare, update):
-        with pytest.raises(ForeignFileError, match=f"{LIST}: is no list"):
+        with pytest.raises(ForeignFileError, match=f"{LIST}: is not a list"):
             act(tmp_path)
 
 

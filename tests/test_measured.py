@@ -139,9 +139,9 @@ def flatten(found: dict[str, Any]) -> None:
         (rename, r"times, row 0: unknown in a Timing: load$"),
         (shorten, r"times, row 0: 7 of 8 columns$"),
         (prove_a_peer, r"ways, row 1: way 'inf': a peer is MEASURED, not PROVED$"),
-        (spell, r"times, row 0: median: 'fast' is no float$"),
-        (miscount, r"sets, row 0: points: 9.5 is no int$"),
-        (flatten, r"cells: a table has columns and rows$"),
+        (spell, r"times, row 0: median: 'fast' is not of type float$"),
+        (miscount, r"sets, row 0: points: 9.5 is not of type int$"),
+        (flatten, r"cells: a table must have columns and rows$"),
     ],
 )
 def test_what_is_no_record_is_refused(tmp_path: Path, spoil: Any, says: str) -> None:
@@ -154,7 +154,7 @@ def test_what_is_no_record_is_refused(tmp_path: Path, spoil: Any, says: str) -> 
 
 
 @pytest.mark.parametrize(
-    ("text", "says"), [("[1, 2", r"not JSON: Expecting"), ("[1, 2]", r"is no Record")]
+    ("text", "says"), [("[1, 2", r"not JSON: Expecting"), ("[1, 2]", r"is not of type Record")]
 )
 def test_what_is_no_json_is_refused(tmp_path: Path, text: str, says: str) -> None:
     file = tmp_path / "gear.angle.json"

@@ -81,7 +81,7 @@ def test_a_fault_of_any_stage_writes_nothing(
 
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("1 / 0", r"mine\.py:\d+: ZeroDivisionError"), ("PAPER = None", "binds no")],
+    [("1 / 0", r"mine\.py:\d+: ZeroDivisionError"), ("PAPER = None", "must bind a")],
 )
 def test_a_derivation_that_fails_is_named(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "mine.py").write_text(text, encoding="utf-8")
@@ -94,7 +94,7 @@ def test_what_is_in_the_way_is_named_and_kept(tmp_path: Path) -> None:
     generated = tmp_path / "generated"
     generated.mkdir()
     (generated / "ledger.json").write_text("mine")
-    with pytest.raises(PipelineError, match=r"ledger\.json: to be written, but"):
+    with pytest.raises(PipelineError, match=r"ledger\.json: not overwritten, since"):
         regenerate([write(tmp_path, PROVED, OPEN)], generated)
     assert [(path.name, path.read_text()) for path in generated.iterdir()] == [
         ("ledger.json", "mine")

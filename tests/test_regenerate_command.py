@@ -72,7 +72,7 @@ def test_a_file_in_the_way_is_named(tmp_path: Path) -> None:
     (tmp_path / "generated" / "__init__.py").write_text("made_by = 'hand'\n")
     result = run("regenerate", "--root", str(tmp_path))
     assert result.exit_code == 1
-    assert "__init__.py: to be written, but what lies there was not made" in result.output
+    assert "__init__.py: not overwritten, since not made" in result.output
 
 
 def test_a_place_that_cannot_be_written_to_is_a_sentence(tmp_path: Path) -> None:
@@ -90,7 +90,7 @@ def test_two_papers_of_one_name_are_an_error(tmp_path: Path) -> None:
     for command in ("verify", "regenerate"):
         result = run(command, "--derivations", str(tmp_path))
         assert result.exit_code == 1
-        assert "other.py: its paper has the name 'mine'" in result.output
+        assert "other.py: its paper has the same name" in result.output
 
 
 def test_standing_in_the_folder_of_derivations(

@@ -72,7 +72,7 @@ def test_what_cannot_be_kept_is_told_once(store: Store, tmp_path: Path) -> None:
         for name in ("validated.json", "certified.json", "mine.json"):
             Store(name).add(["a"])
     (warning,) = told
-    assert str(warning.message) == f"nothing is kept in {tmp_path / 'cache'}: File exists"
+    assert str(warning.message) == f"nothing is cached in {tmp_path / 'cache'}: File exists"
     assert warning.category is RuntimeWarning
     assert store.read() == {}
 

@@ -51,7 +51,7 @@ def test_other_outcomes_may_fail(tmp_path: Path, outcome: str, status: int) -> N
 @pytest.mark.parametrize(
     ("text", "place", "message"),
     [
-        ("PAPER = 1", "", "binds no mechproof.record.Paper"),
+        ("PAPER = 1", "", "must bind a mechproof.record.Paper"),
         ("\nimport nowhere", ":2", "No module named 'nowhere'"),
         ("import os\nos._exit(0)", ":2", "SystemExit: os._exit(0)"),
         ("import sys\nsys.exit(0)", ":2", "SystemExit: 0"),
@@ -78,7 +78,7 @@ def test_a_derivation_that_loops_is_stopped_by_the_limit(tmp_path: Path, loop: s
         out = ("--out", str(tmp_path / "out")) if command == "report" else ()
         result = run(command, str(file), "--limit", "1", *out)
         assert result.exit_code == 1
-        assert f"{file}: is not loaded within 1 s\n" in result.output
+        assert f"{file}: did not load within 1 s\n" in result.output
 
 
 def test_an_interrupt_of_the_user_stays_one(tmp_path: Path) -> None:
@@ -90,7 +90,7 @@ def test_an_interrupt_of_the_user_stays_one(tmp_path: Path) -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         with stop_after(60.0, tmp_path):
             signal.raise_signal(signal.SIGINT)
-        late = pytest.raises(DerivationError, match=r"is not loaded within 0\.1 s")
+        late = pytest.raises(DerivationError, match=r"did not load within 0\.1 s")
         with late, stop_after(0.1, tmp_path):
             time.sleep(60)
         assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN

@@ -81,7 +81,7 @@ class Choice:
         if other.error > self.asked:
             reason = "not accurate enough"
         elif other._may_be_as_fast_as(self) or other.time < self.time:
-            reason = "not told apart in time, and not more accurate"
+            reason = "not shown to be slower, but not more accurate"
         else:
             reason = f"{other.time / self.time:.3g} times the time"
         return f"not {other._describe()}: {reason}"
@@ -97,7 +97,7 @@ class Choice:
         if self.better is None:
             text += "; nothing measured has half the error."
         else:
-            text += f"; the next better: {self.better._describe()}."
+            text += f"; the next more accurate: {self.better._describe()}."
         if self.faster is None:
             return text
         return f"{text} With {tell_install(self.faster.needs)}: {self.faster._describe()}."
@@ -232,7 +232,7 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
         refuse("quantity", quantity, f"several systems have it; give one of {', '.join(named)}")
     if not named:
         known = ", ".join(files) or "none; run `mechproof measure`"
-        others = "" if measured else "; measured=FOLDER has records of your own"
+        others = "" if measured else "; for records of your own, give measured=FOLDER"
         refuse("quantity", quantity, f"must be one of those measured: {known}{others}")
     record = read_record(files[named[0]])
     require(record.cells, "quantity", quantity, "was not measured over ranges of its arguments")

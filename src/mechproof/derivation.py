@@ -63,10 +63,10 @@ def read_chosen(place: Path) -> Chosen:
         kept = json.loads(file.read_text(encoding="utf-8"))
         chosen = {str(name): tuple(rewrites) for name, rewrites in kept.items()}
     except (ValueError, TypeError, AttributeError) as error:
-        raise ValueError(f"{file}: {error}; allowed is {{quantity: [rewrites]}}") from error
+        raise ValueError(f"{file}: {error}; must be {{quantity: [rewrites]}}") from error
     for name, rewrites in chosen.items():
         if unknown := [r for r in rewrites if r not in REWRITES]:
-            raise ValueError(f"{file}: {name}: {unknown} are none of {sorted(REWRITES)}")
+            raise ValueError(f"{file}: {name}: {unknown} are not among {sorted(REWRITES)}")
     return chosen
 
 
@@ -188,7 +188,7 @@ def _run(place: Path) -> Paper:
     paper = getattr(module, "PAPER", None)
     if not isinstance(paper, Paper):
         raise DerivationError(
-            f"{module.__file__}: binds no mechproof.record.Paper to the name PAPER"
+            f"{module.__file__}: must bind a mechproof.record.Paper to the name PAPER"
         )
     try:
         check_derived(paper)
@@ -247,7 +247,9 @@ def check_names(places: dict[str, Path], system: str, place: Path) -> None:
     """Enter a paper into name -> place; raises `DerivationError` if another paper has its name."""
     other = places.setdefault(system, place)
     if other != place:
-        raise DerivationError(f"{place}: its paper has the name {system!r}, as {other} has")
+        raise DerivationError(
+            f"{place}: its paper has the same name as that of {other}, {system!r}"
+        )
 
 
 def _to_place(location: Path) -> Path:
@@ -284,7 +286,7 @@ def stop_after(seconds: float, location: Path) -> Iterator[None]:
         with limit_time(seconds):
             yield
     except TimeoutError:
-        raise DerivationError(f"{location}: is not loaded within {seconds:g} s") from None
+        raise DerivationError(f"{location}: did not load within {seconds:g} s") from None
 
 
 @contextmanager

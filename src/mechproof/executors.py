@@ -135,10 +135,10 @@ def _explain(error: Exception) -> Exception:
 
     if isinstance(error, pickle.PicklingError | AttributeError | TypeError):
         return TypeError(
-            f"what is to be computed cannot be sent to another process and back ({error}): define "
+            f"the task or its result cannot be sent between processes ({error}): define "
             "functions and classes at the top level of a module, or use threads"
         )
     return WorkerError(
         f"the executor lost a task ({type(error).__name__}: {error}): a worker died, cannot load "
-        "what it is to do, or the executor was shut down"
+        "its task, or the executor was shut down"
     )

@@ -152,7 +152,7 @@ def _read_core(node: Node, number: int) -> Core:
         name = str(_text(parts[:1]))
         parts = parts[1:]
     if len(parts) < 2 or not isinstance(parts[0], Group):
-        raise FPCoreError(f"line {node.line}: an FPCore has arguments and what it computes")
+        raise FPCoreError(f"line {node.line}: an FPCore needs arguments and a body")
     arguments = _read_arguments(parts[0])
     properties = _read_properties(parts[1:-1])
     title = properties.get(":name")
@@ -173,16 +173,18 @@ def _read_box(condition: Node | None, arguments: Sequence[str], line: int) -> Ma
     for name in arguments:
         for kind, known in (("lower", lows), ("upper", highs)):
             if name not in known:
-                raise FPCoreError(f"line {line}: :pre says no {kind} end of {name}")
+                raise FPCoreError(f"line {line}: :pre gives no {kind} bound for {name}")
         if lows[name] > highs[name]:
-            raise FPCoreError(f"line {line}: no {name} is in [{lows[name]}, {highs[name]}]")
+            raise FPCoreError(
+                f"line {line}: the range of {name}, [{lows[name]}, {highs[name]}], is empty"
+            )
     return {name: (lows[name], highs[name]) for name in arguments}
 
 
 def _list_ends(condition: Node, arguments: Sequence[str]) -> Iterator[tuple[str, Fraction, bool]]:
     if isinstance(condition, Atom):
         if condition.text != "TRUE":
-            raise FPCoreError(f"line {condition.line}: {condition.text} in :pre is no box")
+            raise FPCoreError(f"line {condition.line}: {condition.text} in :pre is not a box")
         return
     head, *sides = condition.parts
     kind = head.text if isinstance(head, Atom) else "("
@@ -194,7 +196,7 @@ def _list_ends(condition: Node, arguments: Sequence[str]) -> Iterator[tuple[str,
         for small, large in pairwise(ordered):
             yield _read_end(small, large, arguments)
     else:
-        raise FPCoreError(f"line {condition.line}: {kind} in :pre is no box")
+        raise FPCoreError(f"line {condition.line}: {kind} in :pre is not a box")
 
 
 def _read_end(small: Node, large: Node, arguments: Sequence[str]) -> tuple[str, Fraction, bool]:
@@ -204,7 +206,7 @@ def _read_end(small: Node, large: Node, arguments: Sequence[str]) -> tuple[str, 
             if number is not None:
                 return one.text, number, is_low
     raise FPCoreError(
-        f"line {small.line}: :pre compares what is not an argument and a number: it is no box"
+        f"line {small.line}: :pre must compare an argument with a number to state a box"
     )
 
 
@@ -232,7 +234,7 @@ def _read_arguments(group: Group) -> tuple[str, ...]:
     if "" in names:
         raise FPCoreError(f"line {group.line}: an argument is a name; no other form is read")
     if twice := [name for name in names if names.count(name) > 1]:
-        raise FPCoreError(f"line {group.line}: {twice[0]} is an argument twice")
+        raise FPCoreError(f"line {group.line}: the argument {twice[0]} is repeated")
     return names
 
 
@@ -284,9 +286,9 @@ class _Writer:
 
     def _refuse(self, head: str, count: int) -> str:
         if any(head == other for other, _ in OPERATIONS):
-            return f"{head} of {count} operands is no operation"
+            return f"{head} does not take {count} operands"
         known = " ".join(dict.fromkeys(name for name, _ in OPERATIONS))
-        return f"{head} is not straight-line arithmetic of doubles: {known}, let and let* are"
+        return f"{head} is not straight-line arithmetic of doubles; known are {known}, let and let*"
 
     def _find_atom(self, atom: Atom, known: Mapping[str, Operand]) -> Operand:
         if atom.text in known:
@@ -302,7 +304,9 @@ class _Writer:
         try:
             double = float(number)
         except OverflowError:
-            raise FPCoreError(f"line {atom.line}: {atom.text} is beyond the doubles") from None
+            raise FPCoreError(
+                f"line {atom.line}: {atom.text} is beyond the range of doubles"
+            ) from None
         if number == double:
             return double
         return self._add(CONSTANT, name_constant(number))

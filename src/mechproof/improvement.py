@@ -288,7 +288,7 @@ def find_offers(
 def _refuse(subject: Subject) -> str:
     """Return why a quantity is not searched, or "" if it is."""
     if not can_be_searched(subject.quantity):
-        return "not searched: sums over axes and code by hand are not rewritten"
+        return "not searched: sums over axes and hand-written code are not rewritten"
     if len(subject.quantity.shipped) > 1:
         return "not searched: its forms are chosen by a condition"
     return ""

@@ -297,7 +297,7 @@ def find_known(folder: Path, quantity: str, count: int) -> tuple[Point, ...]:
     file = folder / f"{quantity}{SUFFIX}"
     known = tuple(found.at for found in read_record(file).searched) if file.is_file() else ()
     if wrong := [len(at) for at in known if len(at) != count]:
-        raise ValueError(f"{file}: inputs of {wrong[0]} arguments, {quantity} has {count}")
+        raise ValueError(f"{file}: its inputs have {wrong[0]} arguments, {quantity} has {count}")
     return known
 
 

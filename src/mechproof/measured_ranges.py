@@ -18,8 +18,8 @@ def check_ranges(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[
         require(name in record.ranges, name, given, f"{record.quantity} has the arguments {known}")
         low, high = _as_pair(name, given)
         least, most = record.ranges[name]
-        require(0 <= low <= high, name, given, "must be a size, or two in order")
-        measured = f"measured were sizes from {least!r} to {most!r}"
+        require(0 <= low <= high, name, given, "must be a size or an ordered pair")
+        measured = f"sizes were measured from {least!r} to {most!r}"
         require(least <= low and high <= most, name, given, measured)
         pairs[name] = low, high
     return pairs
@@ -29,7 +29,7 @@ def _as_pair(name: str, given: Size) -> tuple[float, float]:
     """Return both ends of a range; a single number is both, as its absolute value."""
     if not isinstance(given, Sequence):
         return (size := abs(check_number(name, given))), size
-    items = check_items(name, given, 2, "must be a size, or two in order")
+    items = check_items(name, given, 2, "must be a size or an ordered pair")
     low, high = (check_number(f"{name}[{i}]", item) for i, item in enumerate(items))
     return low, high
 

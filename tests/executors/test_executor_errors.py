@@ -55,7 +55,7 @@ def test_an_executor_that_was_shut_down_is_reported() -> None:
 def test_a_function_that_cannot_be_sent_is_named() -> None:
     with (
         make_executor("processes") as executor,
-        pytest.raises(TypeError, match=r"cannot be sent to another process.*lambda.*top level"),
+        pytest.raises(TypeError, match=r"cannot be sent between processes.*lambda.*top level"),
     ):
         spread(lambda x, s: x * s, executor)
 
@@ -63,7 +63,7 @@ def test_a_function_that_cannot_be_sent_is_named() -> None:
 def test_a_result_that_cannot_be_sent_is_named() -> None:
     with (
         make_executor("processes") as executor,
-        pytest.raises(TypeError, match="cannot be sent to another process and back"),
+        pytest.raises(TypeError, match="cannot be sent between processes"),
     ):
         next(run_in_order(make_lambda, [1], executor))
 

@@ -271,7 +271,7 @@ def test_a_folder_that_cannot_be_written_is_a_warning(
     judged: Callable[..., list[str]], folder: Path
 ) -> None:
     (folder / "cache").write_text("a file")
-    with pytest.warns(RuntimeWarning, match="nothing is kept in .*cache: File exists"):
+    with pytest.warns(RuntimeWarning, match="nothing is cached in .*cache: File exists"):
         assert len(judged(*ROWS)) == 3
 
 

@@ -45,7 +45,7 @@ def test_a_folder_of_other_things_is_refused_before_anything_is_judged(tmp_path:
 
 
 @pytest.mark.parametrize(
-    ("text", "fault"), [("raise OSError('gone')", "gone"), ("x = 1", "binds no mechproof")]
+    ("text", "fault"), [("raise OSError('gone')", "gone"), ("x = 1", "must bind a mechproof")]
 )
 def test_a_derivation_that_fails_is_status_1(tmp_path: Path, text: str, fault: str) -> None:
     file = tmp_path / "mine.py"

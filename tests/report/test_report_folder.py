@@ -51,14 +51,14 @@ def test_a_file_in_the_way_is_kept(tmp_path: Path) -> None:
     write_folder(tmp_path, {"index.html": "one"})
     (tmp_path / "papers").mkdir()
     (tmp_path / "papers" / "a.html").write_text("mine")
-    with pytest.raises(ForeignFileError, match=r"a\.html: .* was not made"):
+    with pytest.raises(ForeignFileError, match=r"a\.html: .* not made"):
         write_folder(tmp_path, FILES)
     assert (tmp_path / "index.html").read_text() == "one"
 
 
 def test_a_list_that_is_none_is_refused_before_anything_is_judged(tmp_path: Path) -> None:
     (tmp_path / LIST).write_text("mine")
-    with pytest.raises(ForeignFileError, match="is no list"):
+    with pytest.raises(ForeignFileError, match="is not a list"):
         check_folder(tmp_path)
 
 

@@ -97,7 +97,7 @@ class Store:
             write_whole(self.file, json.dumps(entries))
         except OSError as error:
             # The warning is raised from this one place, so that all failures show it only once.
-            said = f"nothing is kept in {cache_folder()}: {error.strerror}"
+            said = f"nothing is cached in {cache_folder()}: {error.strerror}"
             warnings.warn(said, RuntimeWarning, stacklevel=1)
 
     def add(self, keys: Iterable[str]) -> None:

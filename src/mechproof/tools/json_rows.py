@@ -78,7 +78,7 @@ def read_fields(kind: type[R], found: Any, where: str) -> R:
     record: type = kind
     kinds = _kinds_of(record)
     if not isinstance(found, dict):
-        raise ValueError(f"{where}: {found!r} is no {kind.__name__}")
+        raise ValueError(f"{where}: {found!r} is not of type {kind.__name__}")
     for problem, names in (("unknown", found.keys() - kinds), ("missing", kinds.keys() - found)):
         if names:
             raise ValueError(f"{where}: {problem} in a {kind.__name__}: {', '.join(sorted(names))}")
@@ -91,7 +91,7 @@ def read_fields(kind: type[R], found: Any, where: str) -> R:
 
 def _decode_table(kind: type[R], found: Any, where: str) -> tuple[R, ...]:
     if not isinstance(found, dict) or found.keys() != {"columns", "rows"}:
-        raise ValueError(f"{where}: a table has columns and rows")
+        raise ValueError(f"{where}: a table must have columns and rows")
     columns, rows = found["columns"], found["rows"]
     for number, row in enumerate(rows):
         if len(row) != len(columns):
@@ -127,4 +127,4 @@ def _decode_plain(kind: Any, found: Any, where: str) -> Any:
         return float(found)
     if found in get_args(kind) or type(found) is kind:
         return found
-    raise ValueError(f"{where}: {found!r} is no {getattr(kind, '__name__', kind)}")
+    raise ValueError(f"{where}: {found!r} is not of type {getattr(kind, '__name__', kind)}")

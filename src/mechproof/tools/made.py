@@ -112,9 +112,8 @@ class Made:
         taken = [path for path in paths.values() if path.exists() and not path.is_file()]
         if foreign := sorted(map(str, {*edited, *taken})):
             raise ForeignFileError(
-                f"{', '.join(foreign)}: to be written, but what lies there was not made by "
-                f"mechproof or was edited since ({self.listed} beside it has no such digest); "
-                "move it away or delete it"
+                f"{', '.join(foreign)}: not overwritten, since not made by mechproof or edited "
+                f"since ({self.listed} has no such digest); move it away or delete it"
             )
 
     def _write(
@@ -157,8 +156,8 @@ class Made:
         pairs = frozenset((match[1], match[2]) for match in found if match)
         if len(pairs) < len(lines) or not all(_lies_inside(name) for _, name in pairs):
             raise ForeignFileError(
-                f"{self.folder / self.listed}: is no list of what mechproof made; move it away or "
-                "delete it"
+                f"{self.folder / self.listed}: is not a list of files made by mechproof; move it "
+                "away or delete it"
             )
         return pairs
 
