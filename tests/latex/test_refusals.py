@@ -178,12 +178,13 @@ MEANINGLESS = [
     (r"\begin{pmatrix}1&2\end{pmatrix}\begin{pmatrix}1&2\end{pmatrix}", "do not fit"),
     (r"\frac{1}{\begin{pmatrix}1\end{pmatrix}}", "do not fit"),
     (r"\arcsin(1, 2)", "do not fit"),
+    (r"\exp\begin{pmatrix}1&2\end{pmatrix}", "only square matrices"),
     (r"\det x", "do not fit"),
     (r"\det(1, 2)", "do not fit"),
     *(
         (latex.replace("M", r"\begin{pmatrix}1&x\\0&1\end{pmatrix}"), "where a number is expected")
         for latex in (
-            *(r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
+            *(r"\left|2M\right|", r"\sin M", r"\ln M", r"\max(M, 1)"),
             *(r"\sqrt{M}", r"\sum_{i=1}^2M", r"\int_0^1M\,dx", r"\lim_{x\to0}M"),
         )
     ),

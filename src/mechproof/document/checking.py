@@ -19,9 +19,11 @@ from mechproof.document.context.constrained_rows import (
 )
 from mechproof.document.context.doubted_letters import (
     doubt_by_examples,
+    doubt_by_lengths,
     doubt_by_letters,
     doubt_by_matrices,
     doubt_by_rounded,
+    tell_length,
 )
 from mechproof.document.context.doubts import (
     doubt_by_decimals,
@@ -197,7 +199,7 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= misprints
         for doubt in (
             *(doubt_by_proved, doubt_by_indices, doubt_by_decimals, doubt_by_rounded),
-            *(doubt_by_rates, doubt_by_factors, doubt_conditions),
+            *(doubt_by_rates, doubt_by_factors, doubt_by_lengths, doubt_conditions),
         ):
             rows |= dict(doubt(at))
         unlike = dict(find_other_solutions(at))
@@ -242,7 +244,7 @@ def _leave_open(at: Judging) -> Changes:
             is_said = UNLIKE in found.reason or ROOT in found.reason
             yield number, make_row(task, found.reason if is_said else tell_unlike(task))
         elif task.is_either:
-            yield number, make_row(task, _EITHER)
+            yield number, make_row(task, tell_length(task) or _EITHER)
 
 
 def _compare_members(at: Judging) -> Changes:

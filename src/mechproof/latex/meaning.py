@@ -14,6 +14,7 @@ from mechproof.latex import calculus_meaning, matrix_meaning, tree
 from mechproof.latex.dotted import give_dotted
 from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
+from mechproof.latex.matrix_exponentials import give_exponential
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
@@ -190,6 +191,10 @@ class Meaning:
 
     def _power(self, node: tree.Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
+        if matrix_meaning.is_matrix(exponent):
+            if settle_all(base, self.values) != sp.E:
+                raise self.source.refuse(node.start, self._tell_unfit(node))
+            return give_exponential(exponent)
         if exponent == 2 and matrix_meaning.is_vector(base):
             shown = matrix_meaning.show_entries(base)
             return shown.dot(shown)

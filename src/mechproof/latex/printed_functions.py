@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
+from mechproof.latex.matrix_exponentials import give_exponential
 from mechproof.latex.matrix_meaning import invert, is_matrix, show_entries
 
 Make = Callable[..., sp.Expr]
@@ -14,6 +15,10 @@ Make = Callable[..., sp.Expr]
 def _inv(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
     """Return the involute of an angle, or the inverse of a matrix."""
     return invert(argument) if is_matrix(argument) else sp.tan(argument) - argument
+
+
+def _exp(argument: sp.Expr | sp.MatrixBase | sp.MatrixExpr) -> sp.Expr | sp.MatrixBase:
+    return give_exponential(argument) if is_matrix(argument) else sp.exp(argument)
 
 
 _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
@@ -45,7 +50,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.log: ("ln",),
     lambda x: sp.log(x) / sp.log(10): ("lg",),
     lambda x: sp.log(x) / sp.log(2): ("lb", "ld"),
-    sp.exp: ("exp",),
+    _exp: ("exp",),
     sp.Abs: ("abs",),
     sp.sign: ("sgn", "sign"),
     sp.erf: ("erf",),
@@ -55,7 +60,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.Min: ("min",),
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
-OF_MATRICES = ("det", "tr", "Tr", "inv")
+OF_MATRICES = ("det", "tr", "Tr", "inv", "exp")
 # Functions whose meaning varies from paper to paper, and what is unclear about them.
 AMBIGUOUS = {"log": "its base (10, e, 2)", "arcctg": "its range", "arccot": "its range"}
 CONSTANTS: Mapping[str, sp.Expr] = {r"\pi": sp.pi, r"\infty": sp.oo, r"\mathrm{e}": sp.E}

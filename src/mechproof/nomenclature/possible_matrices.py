@@ -50,6 +50,15 @@ _OF_MATRICES = re.compile(
 _SUM = re.compile(
     rf"{_LEFT}[(\[](\s*{_TERM}(?:\s*[-+]\s*{_TERM})+){_RIGHT}\s*[)\]]\s*\^\s*\{{\s*-\s*1\s*\}}"
 )
+# An exponential that is a unit matrix and more: its exponent has letters with accents, or capitals.
+_EXPONENTIAL = re.compile(
+    r"(?:e|\\mathrm\s*\{?\s*e\s*\}?)\s*\^\s*\{(?P<raised>(?:[^{}]|\{[^{}]*\})*)\}"
+    rf"|\\exp\s*{_LEFT}[(\[](?P<called>[^()\[\]]*?){_RIGHT}\s*[)\]]"
+)
+_BESIDE_UNIT = re.compile(
+    r"\s*&?\s*=\s*&?\s*(?:[IE]|\\mathrm\s*\{\s*[IE]\s*\})(?:_\w|_\{\w*\})?\s*(?:[-+]|\Z)"
+)
+_ACCENTED = re.compile(rf"\\(?:{_ACCENT})\s*(?:\{{[^{{}}]*\}}|\\?[A-Za-z]+){_INDEX}")
 _BEFORE, _BEHIND = re.compile(r"[\w)\]}]\s*\Z"), re.compile(r"\s*(?:\\left|[\w(\[])")
 _UNIT = re.compile(r"(?<![A-Za-z_{])[IE1](?![A-Za-z_\d])")
 
@@ -77,6 +86,12 @@ def _find_shown(text: str, patterns: Iterable[re.Pattern[str]]) -> Iterator[tupl
         yield name_symbol(rf"\mathrm{{{found[1]}}}{found[2]}"), found[0].strip()
     for found in _OF_MATRICES.finditer(text):
         yield from _list_capitals(found[1] or found[2], found[0])
+    for found in _EXPONENTIAL.finditer(text):
+        if _BESIDE_UNIT.match(text, found.end()):
+            exponent = found["raised"] or found["called"] or ""
+            accented = _ACCENTED.findall(exponent)
+            yield from ((name_symbol(letter), found[0].strip()) for letter in accented)
+            yield from () if accented else _list_capitals(exponent, found[0])
     for found in _SUM.finditer(text):
         is_factor = _BEFORE.search(text[: found.start()]) or _BEHIND.match(text, found.end())
         if is_factor and _UNIT.search(found[1]):

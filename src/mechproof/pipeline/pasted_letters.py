@@ -242,9 +242,10 @@ def _refuse_others(letters: Collection[str], prints: Iterable[str]) -> None:
 def _refuse_matrices(letters: Collection[str], prints: Iterable[str]) -> None:
     """Refuse a letter printed the way matrices are, in square brackets or with a sign T."""
     for letter, shown in find_possible_matrices(letters, prints):
+        name = next(latex for latex in letters if name_symbol(latex) == letter)
         raise ValueError(
-            rf"{letter} may be a matrix, as {shown} suggests: print it bold, \mathbf {letter}, or "
-            f"add --name '{letter}' if it is a number"
+            rf"{name} may be a matrix, as {shown} looks: print it bold, \mathbf {name}, or say "
+            f"--name '{name}' where it is a number"
         )
 
 

@@ -17,6 +17,7 @@ from mechproof.document.constraints.combinations import (
     find_multiple,
     list_factors_below,
 )
+from mechproof.document.constraints.given_roots import put_in_roots
 from mechproof.document.constraints.witnesses import hold_together
 from mechproof.document.tasks import Task
 from mechproof.latex.values import settle_all
@@ -60,7 +61,8 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
             return Verdict.DEFINITION, GIVEN, reason
         if hold_together([other.residual], domain, list_factors_below(task.residual)):
             return Verdict.PROVED, MULTIPLE, f"follows from {name}, taken as given: {reason}"
-    return _combine(task, others, domain) or _square(task, others, domain)
+    found = _combine(task, others, domain) or _square(task, others, domain)
+    return found or _put_in_roots(task, others, domain)
 
 
 def _split_roots(value: sp.Expr, domain: Domain) -> sp.Expr:
@@ -122,6 +124,23 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
         return Verdict.PROVED, SQUARE, f"its square {found[2]}; the root has the right sign"
     reason = f"its square {found[2]}; {sign} >= 0{ROOT}"
     return Verdict.DEFINITION, GIVEN, reason
+
+
+def _put_in_roots(
+    task: Task, others: Sequence[Task], domain: Domain
+) -> tuple[Verdict, str, str] | None:
+    """Judge whether a row follows where roots in it have the values that constraints give them."""
+    given = {o.row.number: o.residual for o in others if o.residual is not None}
+    rest, used = put_in_roots(sp.sympify(task.residual), given)
+    if not used or not hold_together([*used.values()], domain, list_factors_below(rest)):
+        return None
+    if decide(Equality(rest, sp.S.Zero), domain).verdict is not Verdict.PROVED:
+        found = find_consequence(replace(task, residual=rest), others)
+        if not found or found[0] is not Verdict.PROVED:
+            return None
+        used = {name: one for name, one in given.items() if name in used or name in found[2]}
+    said = f"follows from {', '.join(used)}, taken as given, by which roots in it are numbers"
+    return Verdict.PROVED, COMBINATION, said
 
 
 def _put_in(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:

@@ -15,7 +15,9 @@ from typing import Any
 import sympy as sp
 
 from mechproof.document.checked_rows import CheckedRow, make_row
-from mechproof.document.constraints.consequences import holds_elsewhere
+from mechproof.document.constraints.consequences import find_consequence, holds_elsewhere
+from mechproof.document.constraints.following import list_all_entries
+from mechproof.document.constraints.given_roots import list_radicands
 from mechproof.document.context.doubts import (
     ROUNDING,
     defines,
@@ -174,6 +176,25 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
                 f"{letter} : number"
             )
             yield n, make_row(task, reason)
+
+
+def doubt_by_lengths(at: Judging) -> Changes:
+    """Accuse no row that holds where a sum of squares is 1: words may tell a length."""
+    for n, task in enumerate(at.tasks):
+        if at.rows[n].outcome == Verdict.REFUTED.value and (said := tell_length(task)):
+            yield n, make_row(task, said)
+
+
+def tell_length(task: Task) -> str:
+    """Say that a row holds where a vector of its letters has the length 1, nothing if not."""
+    entries = [one for one in list_all_entries(task, ()) if one.residual != 0]
+    for base in list_radicands(sp.sympify(one.residual) for one in entries):
+        unit = replace(task, residual=base - 1, rates=())
+        found = (find_consequence(one, [unit]) for one in entries)
+        if all(one and one[0] is Verdict.PROVED for one in found):
+            said = f"{sp.latex(base)}=1"
+            return f"it holds where {said}; if that is meant, print it as an equation before"
+    return ""
 
 
 def doubt_by_rounded(at: Judging) -> Changes:
