@@ -45,11 +45,11 @@ def refuse_units(read: Print) -> None:
             beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
             for node in tree.walk(part):
-                if isinstance(node, tree.Measure) and node.factor == 1:
+                if isinstance(node, tree.Measure) and node.factor == 1 and not node.is_settled:
                     raise read.source.refuse(
                         node.start,
                         f"a unit, {node.unit}, but no letter whose unit it could be",
-                        "Print the number alone, in the unit of the letters.",
+                        "Declare the unit of the letter, or print the number alone, in that unit.",
                     )
 
 

@@ -3,7 +3,7 @@ r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, as a member or a part
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -191,6 +191,44 @@ def put_units(chain: tree.Chain, weigh: Callable[[str], sp.Expr | None]) -> tree
         return settled
 
     return replace(chain, members=tuple(map(settle, chain.members)))
+
+
+def put_sizes(
+    chain: tree.Chain, weigh: Callable[[str], sp.Expr | None], own: Mapping[sp.Basic, sp.Expr]
+) -> tree.Chain:
+    """Let the sizes in a condition be numbers in the `own` units of the letters that have them.
+
+    Beside a member with a unit they are quantities. A size whose letter has no unit, or one of
+    another kind, stays as it is; so does one beside a number of the same letter.
+    """
+    if chain.condition is None:
+        return chain
+    nodes = list(tree.walk(chain.members))
+    are_quantities = any(isinstance(node, tree.Measure) for node in nodes)
+    members, said = list(chain.condition.members), list[tuple[int, tree.Letter]]()
+    for n, sign in enumerate(chain.condition.relations):
+        for place, beside in ((n, members[n + 1]), (n + 1, members[n])) if sign != AND else ():
+            if isinstance(beside, tree.Letter) and is_number(members[place]):
+                said.append((place, beside))
+    plain = {one.symbol for place, one in said if _has_no_unit(members[place])}
+    for place, letter in said:
+        sign, size = split_sign(members[place])
+        if not isinstance(size, tree.Measure) or (unit := weigh(size.unit)) is None:
+            continue
+        if letter.symbol in plain or letter.symbol not in own:
+            continue
+        ratio = unit / own[letter.symbol]
+        if ratio.is_Rational:
+            factor = unit if are_quantities else ratio
+            settled = replace(size, factor=factor, is_settled=True)
+            members[place] = tree.Add(((-1, settled),)) if sign else settled
+    return replace(chain, condition=replace(chain.condition, members=tuple(members)))
+
+
+def _has_no_unit(node: tree.Node) -> bool:
+    """Return whether a number has no unit where it needs one, as zero does not."""
+    inside = split_sign(node)[1]
+    return isinstance(inside, tree.Number) and sp.Rational(inside.text) != 0
 
 
 def find_number(

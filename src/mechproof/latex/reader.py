@@ -15,7 +15,7 @@ from mechproof.latex.calculus import compare_derivatives
 from mechproof.latex.chains import read_print
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
-from mechproof.latex.measures import put_units
+from mechproof.latex.measures import put_sizes, put_units
 from mechproof.latex.name_table import build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
@@ -89,7 +89,8 @@ class Reader:
             if self.notation.lower_limit is None:
                 chains = tuple(map(compare_derivatives, chains))
             if weigh := self.notation.weigh_unit:
-                chains = tuple(put_units(chain, weigh) for chain in chains)
+                own = self.notation.units
+                chains = tuple(put_sizes(put_units(chain, weigh), weigh, own) for chain in chains)
             return Print(parser.source, chains, self, upper)
 
     def collect(self, latex: str) -> list[str]:

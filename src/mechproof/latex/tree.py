@@ -28,12 +28,14 @@ class Number(Node):
 class Measure(Node):
     """A number with its printed unit, which is a factor next to letters.
 
-    Elsewhere its expression does not contain the unit.
+    Elsewhere the expression that it is does not show the unit. Where it `is_settled` the factor
+    makes of it a size in the unit of its letter.
     """
 
     number: Number
     unit: str
     factor: sp.Expr = sp.S.One
+    is_settled: bool = False
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ from mechproof.nomenclature.symbol_names import (
 )
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.record import NUMBER, Notation, Variable
-from mechproof.record.unit_notation import ONE, Unit, UnitError, read_unit, weigh_unit
+from mechproof.record.unit_notation import ONE, Unit, UnitError, read_unit, weigh, weigh_unit
 from mechproof.sources.located_text import Place
 
 # The unit at the end of a size.
@@ -107,6 +107,9 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     if len(block.branches) == 1 and block.branches[0] in symbols:
         notation = replace(notation, branch=symbols[block.branches[0]])
     known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
+    weights = {v.symbol: weigh(v.dimension) for v in variables if v.symbol in known}
+    scaled = {symbol: known[symbol] * weight for symbol, weight in weights.items()}
+    notation = replace(notation, units=scaled)
     found = Symbols(
         tuple(variables), notation, bare=frozenset(bare), scales=known, faults=tuple(faults)
     )

@@ -111,21 +111,21 @@ class Notation:
 
     `factors` are names that multiply a bracket after them (`a(1-e^2)`). `functions` adds to or
     replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
-    integral printed without limits starts. `branch` is a letter that is 1 or -1: for a double sign
-    on one side only, it says whether the upper one is meant. `indices` are the symbols of index
-    letters (by default an integer symbol of that name). `scopes` are letters used twice. `moving`
-    maps letters that depend on another to that one, and to the symbols of their derivatives by it
-    in rising order; a prime after a bracket is a derivative by `primed`. `name_unit` returns the
-    name of a printed unit, "" if it is not one; with it, units are read after numbers. `weigh_unit`
-    returns such a unit, next to letters, in symbols of the units that it is made of, or None if it
-    cannot be used there. `phases` are pairs of letters, or of one and pi, that are adjacent in an
-    angle: a function without brackets takes both, `\cos\omega t`. `dimensions` are those of letters
-    with a unit: they distinguish brackets that multiply a letter from those that contain an
-    argument. `called` are letters that are functions of one letter: the content of a bracket after
-    them is put in for that letter, as it is for `bracketed` letters of `moving` and for matrices,
-    which never appear without a bracket. `parameters` maps letters by which derivatives are printed
-    to the letters on which those depend, dy/dx of x(t) and y(t). `imaginary` is the letter of the
-    imaginary unit; e is then Euler's number.
+    integral printed without limits starts. `branch` is a letter that is 1 or -1: of a double sign
+    on one side only it says whether the upper one is meant. `indices` are the symbols of index
+    letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
+    are letters that depend on another: that one, and the symbols of their derivatives by it, the
+    first one first; a prime behind a bracket is a derivative by `primed`. `name_unit` returns the
+    unit that is printed so, nothing for what is none: units are read behind numbers then.
+    `weigh_unit` returns what such a unit is beside letters, in symbols of the units that it is
+    made of, nothing where it cannot stand there; `units` are those of letters. `phases` are pairs
+    of letters, or one and pi, that stand side by side in an angle: a function without brackets
+    takes both, `\cos\omega t`. `dimensions` are those of letters with a unit: they tell the
+    brackets that multiply one from those that hold an argument. `called` are letters that are
+    functions of one: what stands in a bracket behind them is put for that, as it is for
+    `bracketed` letters of `moving` and matrices, which never stand without a bracket. `parameters`
+    are the letters by which derivatives go that are printed by one that these give, dy/dx of x(t)
+    and y(t). `imaginary` is the letter of the imaginary unit; e is Euler's number beside it.
     """
 
     factors: tuple[str, ...] = ()
@@ -142,6 +142,7 @@ class Notation:
     primed: sp.Symbol | None = None
     name_unit: Callable[[str], str] | None = None
     weigh_unit: Callable[[str], sp.Expr | None] | None = None
+    units: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
     phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()
     dimensions: Mapping[sp.Basic, Dimension] = field(default_factory=lambda: MappingProxyType({}))
     parameters: Mapping[sp.Basic, sp.Symbol] = field(default_factory=lambda: MappingProxyType({}))
