@@ -95,6 +95,14 @@ DISPLAYS = {
         [("(1.1)", "a=1"), ("(A.1)", "b=2")],
     ),
     "a tag with braces": (E % r"a=1 \tag{\textit{A}.3}", [(r"(\textit{A}.3)", "a=1")]),
+    "inequalities before two equations, which may be meant where they hold": (
+        E % r"a>0,\quad b=1,\quad c=2" + E % r"a=1,\quad b>0,\quad c=2",
+        [
+            ("(1)", r"a>0,\quad b=1,\quad c=2"),
+            ("(2), part 1", r"a=1,\quad b>0"),
+            ("(2), part 2", "c=2"),
+        ],
+    ),
     "what is false is no text": (
         r"\iffalse $$a=1 \iff b$$ \iftrue $$b=2$$ \fi $$c=3$$ \fi $$d=4$$",
         [("display 1", "d=4")],

@@ -7,6 +7,7 @@ import sympy as sp
 
 from mechproof.latex import Reader
 from mechproof.latex.errors import ReadingError
+from mechproof.latex.words import AND
 from mechproof.record import Equation, Variable
 
 f, x, y = sp.symbols("f x y", real=True)
@@ -44,6 +45,9 @@ BOTH = [
 ]
 
 
+BEFORE = [rf"x>0{mark}f=1" for mark in (",", r",\ ", r",\quad ", r"\quad ", r",\qquad ", ";")]
+
+
 def conditions(print_: str) -> set[sp.Basic]:
     read = READER.parse(print_)
     (chain,) = read.chains
@@ -52,7 +56,7 @@ def conditions(print_: str) -> set[sp.Basic]:
     return set(read.meaning().relate(chain.condition))
 
 
-@pytest.mark.parametrize("print_", BEHIND)
+@pytest.mark.parametrize("print_", [*BEHIND, *BEFORE])
 def test_a_condition_is_read_in_every_spelling(print_: str) -> None:
     assert conditions(print_) == {sp.Gt(x, 0)}
 
@@ -86,12 +90,26 @@ def test_a_gap_without_a_relation_around_it_is_a_blank() -> None:
     assert value.doit() == sp.Rational(1, 2)
 
 
+def test_an_inequality_of_more_than_a_letter_before_an_equation_is_a_claim_as_well() -> None:
+    claim, statement = READER.parse(r"x+y>0,\quad f=1,\ x<1").chains
+    assert (claim.relations, claim.condition) == ((">",), None)
+    assert statement.condition is not None
+    assert statement.condition.relations == (">", AND, "<")
+
+
+def test_several_equations_behind_an_inequality_are_meant_where_it_holds() -> None:
+    first, second = READER.parse(r"x>0,\ y>0,\quad f=1,\quad |x|=x").chains
+    assert first.condition == second.condition
+    assert second.condition is not None
+    assert second.condition.relations == (">", AND, ">")
+
+
 REFUSED = [
     (r"f=x\;y>0", "a blank before a relation"),
     (r"f=x~x,y>0", "a blank before a relation"),
     (r"f=x\ -1<x<1", "a blank before a relation"),
     (r"f=x\quad y=1", "a wide gap before an equation"),
-    (r"x>0,\ f=1", "a relation before an equation"),
+    (r"f=1\quad f=2", "a wide gap before an equation"),
     (r"\text{for }x>0,\ f=1", "a condition before"),
     (r"\forall x>0:f=1", "a condition before"),
     (r"f=1,\ x>0,\ y=2", "an equation after a condition"),

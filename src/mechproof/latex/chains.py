@@ -70,7 +70,7 @@ def _read_line(parser: Parser) -> tuple[Chain, ...]:
             parser.brackets = tuple(one for one in factors if isinstance(one, Bracket))
         elif not (parser.text in (WIDE, *IF, r"\forall") or side_conditions.is_bracketed(parser)):
             raise _refuse_rest(parser)
-        parts += _read_parts(parser)
+        parts += _read_parts(parser, parts)
     _refuse_cut(parser, [part.chain for part in parts])
     return side_conditions.fold(parser, parts)
 
@@ -90,8 +90,11 @@ def _refuse_rest(parser: Parser) -> Exception:
     return parser.refuse(f"{parser.text} is not understood here", remedy)
 
 
-def _read_parts(parser: Parser) -> list[ChainPart]:
-    """Read what follows a comma or a gap: a chain, or conditions that are marked as such."""
+def _read_parts(parser: Parser, before: Sequence[ChainPart]) -> list[ChainPart]:
+    """Read what follows a comma or a gap: a chain, or conditions that are said to be some.
+
+    A wide gap parts an equation from inequalities before it; another may be part of a product.
+    """
     if _skip_membership(parser):
         return []
     if side_conditions.is_bracketed(parser):
@@ -102,10 +105,12 @@ def _read_parts(parser: Parser) -> list[ChainPart]:
     if not parser.skip(WIDE):
         return [ChainPart(_read_chain(parser))]
     if parser.text in (*IF, r"\forall") or side_conditions.is_bracketed(parser):
-        return _read_parts(parser)
+        return _read_parts(parser, before)
     start = parser.start
     chain = _read_chain(parser)
     if not set(chain.relations).isdisjoint(("=", r"\approx", r"\equiv")):
+        if all(side_conditions.is_inequality(part.chain) for part in before):
+            return [ChainPart(chain)]
         raise parser.refuse(
             "a wide gap before an equation: a second one, or a factor?",
             r"Print a comma between equations, \cdot between factors.",

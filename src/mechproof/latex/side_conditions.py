@@ -156,10 +156,15 @@ def is_bracketed(parser: Parser) -> bool:
 
 
 def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
-    """Return the statements of a print, each with the conditions that follow them all."""
+    """Return the statements of a print, each with the conditions that stand behind them all.
+
+    Inequalities before equations are conditions of these, too; those of more than a letter are
+    statements as well.
+    """
     statements: list[Chain] = []
     conditions: list[Chain] = []
-    for part in _share_relations(parser, parts):
+    before, behind = _split_leading([*_share_relations(parser, parts)])
+    for part in behind:
         own = statements[-1].condition if statements else None
         if own and _is_value(part.chain, own, *statements):
             statements[-1] = _narrow(statements[-1], [part.chain])
@@ -181,8 +186,16 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
             statements.append(part.chain)
     if not statements:
         raise parser.refuse("a condition without a statement", "", parts[0].chain.start)
-    _refuse_leading_condition(parser, statements)
-    return tuple(_narrow(chain, conditions) for chain in statements)
+    claims = [chain for chain in before if not _bounds_letter(chain)]
+    return (*claims, *(_narrow(chain, [*before, *conditions]) for chain in statements))
+
+
+def _split_leading(parts: Sequence[ChainPart]) -> tuple[list[Chain], Sequence[ChainPart]]:
+    """Return the inequalities that stand before equations, and what stands behind them."""
+    first = next((n for n, part in enumerate(parts) if not is_inequality(part.chain)), 0)
+    before = [part.chain for part in parts[:first] if not (part.said or part.chain.condition)]
+    is_clear = len(before) == first and bool(parts[first].chain.relations)
+    return (before, parts[first:]) if is_clear and not parts[first].said else ([], parts)
 
 
 def _narrows(
@@ -223,7 +236,7 @@ def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[Cha
         if not chain.relations and is_letter and chain.condition is None:
             waiting.append(part)
             continue
-        if waiting and is_letter and _is_inequality(chain):
+        if waiting and is_letter and is_inequality(chain):
             for one in waiting:
                 shared = replace(chain, members=(one.chain.members[0], *chain.members[1:]))
                 yield ChainPart(shared, part.said or one.said)
@@ -253,11 +266,9 @@ def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> N
 
 def _is_condition(parser: Parser, statements: Sequence[Chain], chain: Chain) -> bool:
     """Return whether a relation after statements is their condition; refuse what may be either."""
-    if not _is_inequality(chain) or not _has_letter(chain):
+    if not is_inequality(chain) or not _has_letter(chain):
         return False
-    letters = (m.inside if isinstance(m, Magnitude) else m for m in chain.members)
-    bounds_letter = any(isinstance(member, Letter) for member in letters)
-    if all(_is_inequality(one) for one in statements) and not bounds_letter:
+    if all(is_inequality(one) for one in statements) and not _bounds_letter(chain):
         raise parser.refuse(
             "a second relation: a condition of the first, or a claim of its own?",
             r"Print \text{ for } before a condition, claims one at a time.",
@@ -266,17 +277,13 @@ def _is_condition(parser: Parser, statements: Sequence[Chain], chain: Chain) -> 
     return True
 
 
-def _refuse_leading_condition(parser: Parser, statements: Sequence[Chain]) -> None:
-    first = statements[0]
-    if _is_inequality(first) and not all(_is_inequality(one) for one in statements):
-        raise parser.refuse(
-            "a relation before an equation: its condition, or a claim of its own?",
-            r"Print a condition after the equation: …,\quad x>0; claims one at a time.",
-            first.start,
-        )
+def _bounds_letter(chain: Chain) -> bool:
+    letters = (m.inside if isinstance(m, Magnitude) else m for m in chain.members)
+    return any(isinstance(member, Letter) for member in letters)
 
 
-def _is_inequality(chain: Chain) -> bool:
+def is_inequality(chain: Chain) -> bool:
+    """Return whether a chain says what is larger, or that things differ, and nothing is equal."""
     return bool(chain.relations) and all(sign in _INEQUALITIES for sign in chain.relations)
 
 

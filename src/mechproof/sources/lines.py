@@ -276,8 +276,14 @@ def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
 
 
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
-    """Yield the equations of a line, separated by wide gaps or by a word such as "or"."""
+    """Yield the equations of a line that wide gaps part, or a word such as "or".
+
+    An inequality at the beginning may be a condition of all of them: the line is left whole.
+    """
     latex = _drop_remarks(latex)
+    if _begins_with_inequality(latex.string):
+        yield _clean(latex)
+        return
     signs = list(walk_signs(latex.string))
     words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
     places = {p: p for sign, p, depth in signs if sign in _BLANK[:2] and depth == 0}
@@ -291,6 +297,13 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
             yield _clean(_drop_and(before))
             start = places[place]
     yield _clean(_drop_and(latex[start:]))
+
+
+def _begins_with_inequality(string: str) -> bool:
+    outside = [sign for sign, _, depth in walk_signs(string) if depth == 0]
+    ends = (n for n, sign in enumerate(outside) if sign in (",", ";", *_BLANK[:2]))
+    first = {*outside[: next(ends, 0)]} & {*_RELATIONS}
+    return bool(first) and first.isdisjoint(_EQUALITY)
 
 
 def _drop_and(latex: LocatedText) -> LocatedText:
