@@ -35,7 +35,7 @@ from mechproof.proof.judge import judge
 from mechproof.proof.ladder import AGREE, BOUND_AGREE
 from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Equality, Holds, PrintedNumber, RecordError
+from mechproof.record import Equality, Holds, Nearly, PrintedNumber, RecordError
 from mechproof.sources.paper_files import read_source
 from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
@@ -140,6 +140,8 @@ def _judge_alone(task: Task) -> Judgement | str:
         found = _find_mixture(task) or judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if isinstance(task.row.says, Nearly):
+        return found.reason
     if found.verdict in (Verdict.UNDECIDED, Verdict.ENCLOSED):
         found = _prove_in_letters(task) or found
     if found.verdict is Verdict.DEFINITION:

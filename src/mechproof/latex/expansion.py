@@ -22,6 +22,7 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    Nearly,
     Paper,
     Part,
     Row,
@@ -97,7 +98,7 @@ def _list_sides(says: Statement) -> Sequence[sp.Basic]:
     """Return the sides of a statement; a single zero for one that has none to compare."""
     if isinstance(says, Equality):
         return says.printed, says.rebuilt
-    if isinstance(says, Distinct):
+    if isinstance(says, Distinct | Nearly):
         return says.left, says.right
     if isinstance(says, Holds):
         return tuple(says.relation.args)

@@ -22,6 +22,7 @@ from mechproof.record import (
     FunctionWithoutArgument,
     Holds,
     IntegralWithoutDifferential,
+    Nearly,
     PrintedNumber,
     Row,
     Statement,
@@ -172,11 +173,15 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
     """State that the left member rounds to the number on the right, or to a multiple by it.
 
-    If the number is a factor of the right member, the left one is divided by the other factors, and
-    the quotient must be a number.
+    Beside a factor the rest of the right member is put on the other side, which is a number then.
+    Of other sides is stated no more than that they are nearly equal.
     """
     value, right = _put_in(row, members, reader)
     stated = round_to(members.nodes[1], value)
+    if stated and value in row.defines:
+        return Definition(value, right)
+    if stated and not value.is_Symbol and settle_all(value, reader.values).free_symbols:
+        return Nearly(value, right)
     number = find_factor(members.nodes) and find_factor(members.nodes[1:])
     are_numbers = not any(is_matrix(side) for side in (value, right))
     if stated is None and number and are_numbers:
@@ -184,12 +189,7 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
         ratio = sp.cancel(sp.Rational(number) * above / below) if below != 0 else sp.nan
         is_number = ratio.is_finite and not ratio.free_symbols
         stated = PrintedNumber(number, ratio) if is_number else None
-    if stated is None:
-        raise ValueError(
-            f"row {row.number!r}: an approximation is judged only if the right side "
-            r"of \approx is a number"
-        )
-    return stated
+    return stated or Nearly(value, right)
 
 
 def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber | None:

@@ -18,6 +18,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.proof import integrand_signs, newton
+from mechproof.proof.approximations import tell_order
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
@@ -54,6 +55,7 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    Nearly,
     NotCheckable,
     PrintedNumber,
     Slack,
@@ -232,6 +234,9 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     ),
     Conjunction: _decide_conjunction,
     Completions: _decide_completions,
+    Nearly: lambda statement, domain: Answer(
+        Verdict.UNDECIDED, "none", tell_order(statement.left, statement.right, domain)
+    ),
     NotCheckable: lambda statement, domain: Answer(
         Verdict.NOT_CHECKABLE, UNCOMPARED, f"not checkable: {statement.lacks}"
     ),

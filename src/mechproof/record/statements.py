@@ -170,6 +170,17 @@ class NotCheckable:
 
 
 @dataclass(frozen=True)
+class Nearly:
+    """Two sides are said to be nearly equal: how nearly is not, so that nothing decides it."""
+
+    left: sp.Basic
+    right: sp.Basic
+
+    def __post_init__(self) -> None:
+        make_exact(self, "left", "right")
+
+
+@dataclass(frozen=True)
 class Unwritten:
     """No kernel is written for a quantity: why, and what would mend that. It is never proved."""
 
@@ -185,6 +196,7 @@ Statement = (
     | Conjunction
     | Completions
     | NotCheckable
+    | Nearly
     | Unwritten
 )
 
