@@ -172,6 +172,8 @@ JUDGED = {
     r"$$2\pi*x-\pi*%s=\pi*x$$": ("x", "x^2"),
     r"$$(3)2x=%sx$$": ("6", "5"),
     r"\begin{align*}\sin2x&=%s\sin x\cos x&&\text{(double angle)},\end{align*}": ("2", "3"),
+    r"$$\sin^2x+\cos^2x=%s\text{ (loop 2)}$$": ("1", "2"),
+    r"$$x+x=%sx\quad\text{(see Fig. 2)}$$": ("2", "3"),
     r"\begin{align}x^2-y^2&=\bigl(x\\&\quad+y\bigr)(x%sy)\end{align}": ("-", "+"),
 }
 
@@ -206,8 +208,9 @@ UNREAD = {
     r"x=y\quad\text{(a contradiction)}": "is not understood",
     r"x=2y\quad\text{(kilometers)}": "is not understood",
     r"x=25\quad\text{(percent)}": "is not understood",
-    # The (1) may refer to equation (1).
-    r"x=y-2(1)": "the number, or the equation with that number?",
+    r"x=25\quad\text{(square metres)}": "is not understood",
+    # Of equation (1).
+    r"x=y-2(1)": "the number, or the equation that has it?",
 }
 
 

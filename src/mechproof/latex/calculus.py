@@ -17,6 +17,8 @@ from mechproof.latex.undeclared import printed_name
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
+_ORDER = ("<", r"\le")
+
 
 @dataclass
 class OpenIntegral:
@@ -65,8 +67,20 @@ def _list_symbols(node: tree.Node) -> set[sp.Basic]:
 # Sums -------------------------------------------------------------------------------------------
 
 
+@dataclass(frozen=True)
+class _Range:
+    """An index of a sum, from where it goes, and what it must differ from."""
+
+    index: tree.Letter
+    low: tree.Node
+    apart: tuple[tree.Node, ...] = ()
+
+
 def read_repeated(parser: Parser) -> tree.Node:
-    r"""Read \sum_{k=1}^n and the product after it; \sum_{k=1,k\ne i} leaves one term out."""
+    r"""Read \sum_{k=1}^n and the product behind it; \sum_{k=1,k\ne i} leaves one term out.
+
+    \sum_{i,j=1}^n and \sum_{1\le i<j\le n} are sums of sums.
+    """
     start = parser.start
     name = parser.take().text.strip("\\")
     if parser.text != "_":
@@ -74,16 +88,19 @@ def read_repeated(parser: Parser) -> tree.Node:
             f"a {name} without limits: which index, from where to where?",
             rf"Print \{name}_{{k=1}}^n. {_name_whole(parser, name)}".strip(),
         )
-    index, low, apart = _read_below(parser)
-    if parser.text != "^":
-        raise parser.refuse(f"a {name} without an upper limit", rf"Print \{name}_{{k=1}}^n.")
-    high = parser.read_script("^")
-    parser.bound.append(index.text)
-    parser.sums.append((f"{name} {index.text}", parser.depth))
+    ranges, high = _read_below(parser)
+    if high is None and parser.text != "^":
+        raise parser.refuse(f"a {name} without upper limit", rf"Print \{name}_{{k=1}}^n.")
+    high = high or parser.read_script("^")
+    names = [one.index.text for one in ranges]
+    parser.bound += names
+    parser.sums += [(f"{name} {index}", parser.depth) for index in names]
     term = parser.read_product()
-    parser.sums.pop()
-    parser.bound.pop()
-    return tree.Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
+    del parser.sums[-len(names) :], parser.bound[-len(names) :]
+    for one in reversed(ranges):
+        place = {"start": start, "end": parser.end}
+        term = tree.Repeated(name, term, one.index, one.low, high, one.apart, **place)
+    return term
 
 
 def is_sum_beside(parser: Parser) -> bool:
@@ -109,9 +126,60 @@ def _name_whole(parser: Parser, name: str) -> str:
     return parser.remedies.name.format(rf"\{name} {printed_name(parser, parser.place)}")
 
 
-def _read_below(parser: Parser) -> tuple[tree.Letter, tree.Node, tuple[tree.Node, ...]]:
+def _read_below(parser: Parser) -> tuple[list[_Range], tree.Node | None]:
+    """Read what stands below a sum: its indices, and the last value if it stands there, too."""
     parser.take("_")
     parser.take("{")
+    count = len(parser.bound)
+    ranges, high = _read_values(parser) if _begins_values(parser) else _read_order(parser)
+    while parser.skip(","):
+        _add_difference(parser, ranges)
+    del parser.bound[count:]
+    parser.take("}")
+    return ranges, high
+
+
+def _begins_values(parser: Parser) -> bool:
+    """Return whether an index stands here, or several with commas, before an equals sign."""
+    place = 0
+    while parser.peek(place + 1) == ",":
+        place += 2
+    return parser.peek(place + 1) not in _ORDER
+
+
+def _read_values(parser: Parser) -> tuple[list[_Range], None]:
+    """Read i=1, or i,j=1."""
+    indices = [_read_index(parser)]
+    while parser.skip(","):
+        indices.append(_read_index(parser))
+    if parser.text != "=":
+        raise parser.refuse("an index needs its first value", r"Print \sum_{k=1}^n.")
+    parser.take("=")
+    del parser.bound[-len(indices) :]
+    low = parser.read_sum()
+    parser.bound += [index.text for index in indices]
+    return [_Range(index, low) for index in indices], None
+
+
+def _read_order(parser: Parser) -> tuple[list[_Range], tree.Node]:
+    r"""Read 1\le i\le n, or 1\le i<j\le n."""
+    low, found = parser.read_sum(), list[_Range]()
+    while parser.text in _ORDER:
+        step = int(parser.take().text == "<")
+        if found and parser.peek() not in _ORDER:
+            return found, _add_count(parser.read_sum(), -step)
+        index = _read_index(parser)
+        found.append(_Range(index, _add_count(low, step)))
+        low = index
+    raise parser.refuse("an index needs its first value and its last", r"Print \sum_{k=1}^n.")
+
+
+def _add_count(node: tree.Node, count: int) -> tree.Node:
+    one = tree.Number("1", start=node.start, end=node.end)
+    return tree.Add(((1, node), (count, one))) if count else node
+
+
+def _read_index(parser: Parser) -> tree.Letter:
     token = parser.take()
     if token.text in parser.bound:
         raise parser.refuse(
@@ -119,22 +187,22 @@ def _read_below(parser: Parser) -> tuple[tree.Letter, tree.Node, tuple[tree.Node
             "Print another letter for one of them.",
             token.start,
         )
-    index = tree.Letter(
-        letters.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
-    )
-    if parser.text != "=":
-        raise parser.refuse("an index needs its first value", r"Print \sum_{k=1}^n.")
-    parser.take("=")
-    low = parser.read_sum()
-    apart = []
-    parser.bound.append(index.text)
-    while parser.skip(","):
-        parser.take(index.text)
-        parser.take(r"\ne")
-        apart.append(parser.read_sum())
-    parser.bound.pop()
-    parser.take("}")
-    return index, low, tuple(apart)
+    symbol = letters.index_symbol(parser, token.text)
+    parser.bound.append(token.text)
+    return tree.Letter(symbol, token.text, start=token.start, end=token.end)
+
+
+def _add_difference(parser: Parser, ranges: list[_Range]) -> None:
+    r"""Read k\ne i, where k or i is an index of the sum; the inner one of two differs."""
+    start, left = parser.start, parser.read_sum()
+    parser.take(r"\ne")
+    sides = (left, parser.read_sum())
+    for place, one in reversed([*enumerate(ranges)]):
+        others = [side for side in sides if side != one.index]
+        if len(others) == 1:
+            ranges[place] = replace(one, apart=(*one.apart, *others))
+            return
+    raise parser.refuse("a condition of a sum without its index", r"Print k\ne i.", start)
 
 
 # Integrals --------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 r"""Commands of packages that abbreviate plain LaTeX: \dv{x}{t} is \frac{dx}{dt}.
 
-The packages are physics, derivative, diffcoeff, esdiff, commath, mathtools, nicefrac and xfrac.
+The packages are physics, derivative, diffcoeff, esdiff, commath, mathtools, nicefrac, xfrac and
+tensor.
 """
 
 from __future__ import annotations
@@ -93,6 +94,11 @@ _COMMANDS: Mapping[str, _Forms] = {
     **dict.fromkeys((r"\cross", r"\cp"), (("", r"\times"),)),
     **dict.fromkeys((r"\nicefrac", r"\sfrac", r"\flatfrac"), _FRACTION),
     r"\prescript": (("...", "{}^{#1}_{#2}#3"),),
+    **dict.fromkeys(
+        _name("tensor"),
+        (("[..", "{}#1#2#3"), ("[..", "{}#1#2"), ("..", "#1#2"), ("..", "#1")),
+    ),
+    r"\indices": (("{", "#1"),),
     **dict.fromkeys((r"\ensuremath", r"\smash", r"\mathclap"), _ITSELF),
     r"\substack": ((_ANY, f"{_IN_LINE}1"),),
     **{rf"\math{kind}": _ITSELF for kind in ("rel", "bin", "ord", "op", "open", "close", "inner")},

@@ -107,6 +107,8 @@ _PLAIN_WORD = re.compile(
     r"|hertz|inch|feet|foot|pound|turn|revolution)(?:e?s)?\b)[^\W\d_]{4}",
     re.IGNORECASE,
 )
+_NUMBERED = re.compile(r"\([^()]*\d[^()]*\)")
+_REFERENCE = re.compile(r"\b(?:see|cf|vgl|fig|eq|tab|sec)\b\.?", re.IGNORECASE)
 _DENYING = re.compile(
     r"\b(?:not?|never|wrong|false|incorrect|invalid|impossible|contradict\w*|in|per|units?)\b",
     re.IGNORECASE,
@@ -264,13 +266,15 @@ def _drop_remarks(latex: LocatedText) -> LocatedText:
 def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
     r"""Return an equation without the remark after it, \quad\text{(loop 1)}, and that remark.
 
-    After a number the words are kept, as they may be its unit.
+    Behind a number words may be its unit, unless they count something, (loop 1).
     """
     found = _BEHIND.search(latex.string)
     before = latex[: found.start()].strip(end=" .,;~") if found else latex
     words = found["words"].strip(" ~.,;") if found else ""
-    is_other = _DENYING.search(words) or _EXCLUDING.search(words) or _VALUE.search(before.string)
-    if is_other or not (_PLAIN_WORD.search(words) and count_signs(before.string)):
+    is_number = _VALUE.search(before.string) and not _NUMBERED.fullmatch(words)
+    is_other = _DENYING.search(words) or _EXCLUDING.search(words) or is_number
+    is_remark = _PLAIN_WORD.search(words) or _REFERENCE.search(words)
+    if is_other or not (is_remark and count_signs(before.string)):
         return latex, ""
     return _clean(before), f"({words.strip('()')})"
 
