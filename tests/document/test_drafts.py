@@ -346,7 +346,7 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
         (
             r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$ $$T_x=b$$",
-            ["R 2x2 :", "T_x :"],
+            ["R 2x2 :", "T_{x} :"],
             ["T :"],
         ),
         # A letter in a sum with a running index is a family: its members are not declared.

@@ -95,3 +95,35 @@ def test_a_letter_in_bold_that_is_declared_without_a_size_may_be_a_vector(
     rows = check("paper.tex", block + "".join(f"$${x}$$" for x in chains)).rows
     assert [row.outcome for row in rows[1::2]] == outcomes
     assert ("3x1" in rows[1].reason) == (meaning != " : number")
+
+
+TURN = r"R=\begin{pmatrix}\cos q&-\sin q\\\sin q&\cos q\end{pmatrix}"
+
+
+@pytest.mark.parametrize("power", ["T", "{T}", r"{\mathrm T}", r"\top"])
+def test_a_plain_t_above_a_printed_matrix_transposes_it(power: str) -> None:
+    inverse = rf"R^{{-1}}=R^{power}"
+    assert _judge(TURN, inverse) == [GIVEN, PROVED]
+    assert _judge(TURN.replace("-", ""), inverse)[1] != PROVED
+    assert _judge(TURN, inverse, "x=2T")[1] == PROVED
+
+
+@pytest.mark.parametrize("one", [r"\mathbf{1}", r"\mathbf 1"])
+def test_a_one_in_bold_beside_a_matrix_is_the_unit_matrix(one: str) -> None:
+    product = rf"R^\top R={one}"
+    assert _judge(TURN, product) == [GIVEN, PROVED]
+    assert _judge(TURN.replace("-", ""), product) == [GIVEN, OPEN]
+    assert _judge(TURN.replace("-", "2"), product) == [GIVEN, OPEN]
+
+
+@pytest.mark.parametrize("letter", ["I", "E", r"\mathbf{I}"])
+def test_a_letter_for_unit_matrices_is_asked_for_and_may_be_said(letter: str) -> None:
+    text = "".join(f"$${x}$$" for x in (TURN, rf"R^\top R={letter}", rf"RR^\top={letter}"))
+    asked = check("paper.tex", text).rows[1]
+    assert asked.outcome == GIVEN
+    assert asked.reason.endswith(f"say so: {letter} 2x2 : unit matrix")
+    lines = ("R 2x2 : turn", "q : angle", f"{letter} 2x2 : unit matrix", "identity display 2")
+    block = "".join(f"%% {x}\n" for x in ("mechproof", *lines, "end"))
+    for given, outcome in ((text, PROVED), (text.replace("-", ""), REFUTED)):
+        rows = check("paper.tex", block + given).rows
+        assert [row.outcome for row in rows[:2]] == [GIVEN, outcome]

@@ -29,13 +29,14 @@ from mechproof.document.where_true import (
     tell_never_true,
 )
 from mechproof.latex.matrix_meaning import is_matrix
+from mechproof.nomenclature.possible_matrices import UNIT_MATRIX
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import AGREE, BOUND_AGREE
 from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.verdict import Judgement, Left, Verdict
-from mechproof.record import Equality, Holds, Nearly, PrintedNumber, RecordError
+from mechproof.record import Definition, Equality, Holds, Nearly, PrintedNumber, RecordError
 from mechproof.sources.paper_files import read_source
 from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
@@ -213,8 +214,21 @@ def _find_mixture(task: Task) -> Judgement | None:
 def _say_compared(task: Task, found: Judgement) -> Judgement:
     """Return a judgement whose reason claims no more than was compared."""
     said = f"{BOUND_AGREE}; dimensions are not compared: {task.lacking}"
-    reason = found.reason.replace(AGREE, said)
-    return replace(found, reason=reason) if task.lacking else found
+    reason = found.reason.replace(AGREE, said) if task.lacking else found.reason
+    asked = _ask_unit_matrix(task)
+    return replace(found, reason=f"{reason.removesuffix('.')}. {asked}" if asked else reason)
+
+
+def _ask_unit_matrix(task: Task) -> str:
+    """Ask whether the letter that a row defines by matrices is a unit matrix, as I mostly is."""
+    says, name = task.row.says, str(task.sign.letter)
+    symbol = says.symbol if isinstance(says, Definition) else None
+    is_printed = r"\begin{" in task.row.printed_latex
+    if is_printed or not isinstance(symbol, sp.MatrixSymbol) or not UNIT_MATRIX.fullmatch(name):
+        return ""
+    rows, columns = symbol.shape
+    said = f"If it is the unit matrix, say so: {name} {rows}x{columns} : unit matrix"
+    return said if rows == columns else ""
 
 
 def _holds_transposed(task: Task) -> bool:

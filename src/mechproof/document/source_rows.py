@@ -35,7 +35,7 @@ from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
 from mechproof.nomenclature.declarations import add_shown, declare
 from mechproof.nomenclature.defined_functions import find_defined
-from mechproof.nomenclature.possible_matrices import find_possible_matrices
+from mechproof.nomenclature.possible_matrices import find_possible_matrices, list_units
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
 from mechproof.nomenclature.symbol_names import DOUBLE, add_pairs, leave_pairs
@@ -121,7 +121,7 @@ class Document:
         declared = add_shown(declare(self.block), [one.latex.string for one in self.printed])
         self.symbols = add_scopes(declared, self.block, self.printed)
         self.known = Known(self.symbols)
-        for text in self.block.values:
+        for text in (*self.block.values, *list_units(self.block)):
             with self.block.blame(text):
                 give_values(text, self.known)
         self.block.refuse_faults()

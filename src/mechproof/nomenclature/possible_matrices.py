@@ -1,4 +1,7 @@
-r"""Letters printed as matrices usually are: [R], R^T, \det R, (I-R)^{-1} next to a factor."""
+r"""Letters that are printed as matrices are: [R], R^T, \det R, (I-R)^{-1} beside a factor.
+
+And those that are printed, or said to be, unit matrices.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,16 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from mechproof.latex.left_scripts import ACCENTS
+from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.shown_letters import name_symbol
 
+# Letters that mostly are unit matrices: I, \mathbf{1}, I_3, E; and a number in bold, which is one.
+UNIT_MATRIX = re.compile(
+    r"(?:\\(?:mathbf|mathbb|mathrm|bm|boldsymbol)\s*\{?\s*)?[IE1]\s*\}?(?:_\{?\s*\d[^{}]*\}?)?"
+)
+_BOLD_ONE = re.compile(r"\\(?:mathbf|bm|boldsymbol)\s*\{?\s*1\s*\}?(?:_\{?\s*\d+\s*\}?)?")
+_BREAK = r"\\"
+_SAID_UNIT = re.compile(r"\b(?:unit|identity) matrix\b|\bEinheitsmatrix\b", re.IGNORECASE)
 _ACCENT = "|".join(accent[1:] for accent in ACCENTS)
 _INDEX = r"(?:_(?:\w|\\[A-Za-z]+|\{[^{}]*\}))?"
 _LETTER = (
@@ -61,6 +72,22 @@ _BESIDE_UNIT = re.compile(
 _ACCENTED = re.compile(rf"\\(?:{_ACCENT})\s*(?:\{{[^{{}}]*\}}|\\?[A-Za-z]+){_INDEX}")
 _BEFORE, _BEHIND = re.compile(r"[\w)\]}]\s*\Z"), re.compile(r"\s*(?:\\left|[\w(\[])")
 _UNIT = re.compile(r"(?<![A-Za-z_{])[IE1](?![A-Za-z_\d])")
+
+
+def list_units(block: Block) -> Iterator[str]:
+    """Yield values for square matrices that are said to be unit matrices, or printed as a one."""
+    given = {name_symbol(text.partition("=")[0]) for text in block.values}
+    for letter in block.letters:
+        name, (rows, columns) = letter.names[0], letter.shape or (0, 0)
+        is_unit = _SAID_UNIT.search(letter.meaning) or _BOLD_ONE.fullmatch(name)
+        if is_unit and rows == columns > 0 and name_symbol(name) not in given:
+            yield f"{name}={write_unit(rows)}"
+
+
+def write_unit(rows: int) -> str:
+    """Write a unit matrix."""
+    lines = (["0"] * n + ["1"] + ["0"] * (rows - 1 - n) for n in range(rows))
+    return rf"\begin{{pmatrix}}{_BREAK.join(map('&'.join, lines))}\end{{pmatrix}}"
 
 
 def find_possible_matrices(

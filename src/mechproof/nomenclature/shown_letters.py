@@ -67,7 +67,13 @@ _INCREMENTS = {
     for sign in (r"\delta", r"\Delta")
 }
 # The letter T, except as a sign of transposition or with an index.
-_PLAIN_T = re.compile(r"(?<![A-Za-z\\^])(?<!\^\{)T(?![A-Za-z]|\s*_)")
+_PLAIN_T = re.compile(
+    r"(?<![A-Za-z\\^])(?<!\^\{)(?<!\\mathrm\{)(?<!\\mathrm )(?<!\\text\{)T(?![A-Za-z]|\s*_)"
+)
+_RAISED_T = re.compile(
+    r"(?P<letter>(?:\\[A-Za-z]+\s*(?:\{[^{}]*\})?|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?)\s*\^\s*"
+    r"(?:T|\{\s*T\s*\})"
+)
 # The prefix of the print of a rate.
 _RATE = re.compile(r"\A\\d*dot\{")
 _MATRIX = re.compile(
@@ -140,10 +146,12 @@ def collect_letters(
     guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
     guesses.letters |= dict.fromkeys(find_framed(prints))
     unread: dict[str, ReadingError] = {}
-    for latex in prints:
+    tables = {name for name, _ in find_shapes(prints)}
+    for printed_latex in prints:
+        latex = _mark_transposed(printed_latex, tables)
         found = _collect_from(latex, guesses)
         if isinstance(found, ReadingError):
-            unread[latex] = found
+            unread[printed_latex] = found
             named = _NAMES.search(found.remedy)
             # A letter next to one that may not be a letter is still asked for.
             beside = [named[1]] if guess and named and named[1] in _NO_LETTER else []
@@ -159,6 +167,18 @@ def collect_letters(
     called = {name_symbol(x) for x, _ in find_defined(prints)}
     factors = [x for x in guesses.factors if name_symbol(x) not in called]
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
+
+
+def _mark_transposed(latex: str, tables: Collection[str]) -> str:
+    """Print the T above letters of printed matrices upright: it is no exponent."""
+    return _RAISED_T.sub(
+        lambda found: (
+            rf"{found['letter']}^{{\mathrm{{T}}}}"
+            if name_symbol(found["letter"]) in tables
+            else found[0]
+        ),
+        latex,
+    )
 
 
 def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:

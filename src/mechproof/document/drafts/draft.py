@@ -23,6 +23,7 @@ from mechproof.document.drafts.said_values import (
 from mechproof.document.numbers.size_tables import find_head_units
 from mechproof.document.source_rows import Document
 from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printed_units
+from mechproof.nomenclature.possible_matrices import UNIT_MATRIX, write_unit
 from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
 from mechproof.nomenclature.shapes import find_sizes
 from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
@@ -35,10 +36,6 @@ _LIMIT = 10.0
 _E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}", "factor e"]
-# Letters for unit matrices: I, \mathbf{1}, I_3.
-_UNIT_MATRIX = re.compile(
-    r"(?:\\(?:mathbf|mathbb|mathrm|bm|boldsymbol)\s*\{?\s*)?[I1]\s*\}?(?:_\{?\s*\d[^{}]*\}?)?"
-)
 
 
 def draft_block(source: Source) -> str:
@@ -119,14 +116,16 @@ def _write_unit_matrices(
     for name, entry in entries.items():
         rows, columns = shapes.get(name, (0, 1))
         letter = next(iter(entry.names))
-        if rows != columns or name in said or not _UNIT_MATRIX.fullmatch(letter):
+        if rows != columns or name in said or not UNIT_MATRIX.fullmatch(letter):
             continue
-        places = [m for x in prints for m in re.finditer(re.escape(letter) + r"(?![\w{])", x)]
+        places = [
+            m
+            for x in prints
+            for m in re.finditer(rf"(?<![\w{{\\]){re.escape(letter)}(?![\w{{])", x)
+        ]
         if places and all(map(_is_summand, places)):
-            lines = (["0"] * n + ["1"] + ["0"] * (rows - 1 - n) for n in range(rows))
-            matrix = r"\\".join(map("&".join, lines))
             yield "# It is only added: the unit matrix."
-            yield rf"let {letter}=\begin{{pmatrix}}{matrix}\end{{pmatrix}}"
+            yield f"let {letter}={write_unit(rows)}"
 
 
 def _is_summand(place: re.Match[str]) -> bool:
