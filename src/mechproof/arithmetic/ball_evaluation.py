@@ -8,6 +8,7 @@ parts are evaluated once. An undefined or undecided expression gives a ball that
 from __future__ import annotations
 
 import operator
+import re
 from collections.abc import Callable
 from functools import lru_cache, reduce
 from typing import Any
@@ -40,6 +41,8 @@ Evaluator = Callable[[Values], Ball]
 MOST_TERMS = 1000
 # Work limit: values of an integrand, for each bit of the precision.
 _MOST_VALUES = 500
+# Where a word begins in the name of a class.
+_CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])")
 _ANALYTIC = sp.Dummy("analytic")
 # The midpoint and the radius of a ball, or of both parts of a complex one.
 _Parts = tuple[tuple[Any, Any], ...]
@@ -67,7 +70,8 @@ def plan(node: sp.Basic) -> Plan:
             return rule(node)
     function = FUNCTIONS.get(type(node))
     if function is None:
-        raise NotImplementedError(f"the function {type(node).__name__} cannot be enclosed")
+        name = _CAMEL.sub(" ", type(node).__name__).lower()
+        raise NotImplementedError(f"the values of this cannot be enclosed: {name}")
     return _apply(node, function), node.args
 
 

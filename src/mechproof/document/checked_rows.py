@@ -15,6 +15,13 @@ from mechproof.record import Row
 from mechproof.sources.located_text import Place
 from mechproof.tools.processes import WorkerError
 
+# Why an equation is not judged with which a step of ours fails.
+UNFORESEEN = (
+    "it could not be judged: it has a form that was not foreseen; print it in another way, or part "
+    "by part"
+)
+# The name of an error of Python, and what it says.
+_RAISED = re.compile(r"([A-Za-z]\w*(?:Error|Exception|Needed|Failed)|[A-Z]\w+): ")
 # A member of a family with a value of its index, such as d_{bi}[1].
 _MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
 
@@ -72,7 +79,17 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
         judged = replace(answer, place=task.place, reason=_write_plainly(answer.reason))
         told = (task.sign.role, judged, judged.reason)
         return CheckedRow(*head, State.JUDGED, *told, stated=task.row)
-    return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_plainly(str(answer)))
+    reason = _tell_failure(answer) if isinstance(answer, WorkerError) else answer
+    return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_plainly(reason))
+
+
+def _tell_failure(error: WorkerError) -> str:
+    """Say in words why a row has no answer, with the technical name in brackets."""
+    told = str(error)
+    if found := _RAISED.match(told):
+        return f"{UNFORESEEN} ({found[1]})"
+    is_ended = told.startswith("its process ended")
+    return f"{told}: it may need more memory than there is" if is_ended else told
 
 
 def show_left(left: Left) -> CheckedRow:

@@ -18,12 +18,12 @@ from mechproof.document.context.constrained_rows import (
     support_steps,
 )
 from mechproof.document.context.doubted_letters import (
+    EITHER,
     doubt_by_examples,
     doubt_by_lengths,
     doubt_by_letters,
     doubt_by_matrices,
     doubt_by_rounded,
-    tell_length,
 )
 from mechproof.document.context.doubts import (
     doubt_by_decimals,
@@ -74,11 +74,7 @@ from mechproof.sources.displays import EXPECTED
 from mechproof.sources.located_text import Place
 from mechproof.sources.paper_files import SUFFIXES, DocumentError, is_file, read_source
 
-_EITHER = (
-    "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
-    "which in the block of letters: identity, or constraint"
-)
-# Advice for a caller who passes an equation where a file name belongs.
+# Tells those who pass an equation where a file name belongs.
 _PASTED = "to judge an equation, use mechproof.judge_equation"
 
 
@@ -244,7 +240,7 @@ def _leave_open(at: Judging) -> Changes:
             is_said = UNLIKE in found.reason or ROOT in found.reason
             yield number, make_row(task, found.reason if is_said else tell_unlike(task))
         elif task.is_either:
-            yield number, make_row(task, tell_length(task) or _EITHER)
+            yield number, make_row(task, EITHER)
 
 
 def _compare_members(at: Judging) -> Changes:

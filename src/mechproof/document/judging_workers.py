@@ -47,6 +47,8 @@ _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 # Seconds that reading, or judging, one equation may take.
 LIMIT = 60.0
+# Errors of ours, whose messages are sentences.
+_UNDECIDED = (RecordError, ContradictionError, NotImplementedError)
 # Completes the reason of a row that differs from another value of the same letter.
 UNLIKE = ", which has the same letters: one of them is wrong or about another case"
 TRANSPOSED = (
@@ -102,8 +104,17 @@ def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
     task = tasks[number]
     try:
         return judge_following(task, tasks) if task.follows else _judge_alone(task)
-    except (RecordError, ContradictionError) as error:
-        return str(error)
+    except _UNDECIDED as error:
+        return _tell(error)
+
+
+def _tell(error: Exception) -> str:
+    """Say why a row is not decided; that two proofs contradict each other is a fault of ours."""
+    if isinstance(error, ContradictionError):
+        return (
+            "a proof of it and points contradict each other: a fault of mechproof, please tell us"
+        )
+    return str(error)
 
 
 def judge_special(tasks: Sequence[Task], number: int, kind: str) -> Judgement | str:
@@ -139,8 +150,8 @@ def _judge_alone(task: Task) -> Judgement | str:
     """
     try:
         found = _find_mixture(task) or judge(task.row, task.paper)
-    except (RecordError, ContradictionError) as error:
-        return str(error)
+    except _UNDECIDED as error:
+        return _tell(error)
     if isinstance(task.row.says, Nearly):
         return found.reason
     if found.verdict in (Verdict.UNDECIDED, Verdict.ENCLOSED):

@@ -16,6 +16,7 @@ from mechproof.latex import tree
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import find_number
 from mechproof.latex.reader import Print
+from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,8 @@ def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
         return one.to_sign(Role.CONSTRAINT)
     if known.is_shown(one.symbol, one.value):
         return None
-    known.define(one.symbol, one.value, one.name)
+    if not one.value.has(FunctionWithoutArgument, IntegralWithoutDifferential):
+        known.define(one.symbol, one.value, one.name)
     return Sign(Role.DEFINITION, one.symbol, one.name)
 
 

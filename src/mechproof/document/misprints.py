@@ -29,6 +29,8 @@ RUNG = "separating balls"
 _COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
+# Functions with steps: what is changed in them may change no value at many points.
+_STEPS = (sp.floor, sp.ceiling, sp.sign)
 # Changes of one print that are tried.
 MOST = 6000
 _NEAR = sp.Rational(1, 10**4)
@@ -61,6 +63,8 @@ def find_misprint(
     definition. `state` turns sides, as printed or as mended, into the sides that are compared.
     """
     sides = state(entry.sides)
+    if any(domain.resolve(side).has(*_STEPS) for side in sides):
+        return None
     met = {s for side in sides for s in side.free_symbols}
     are_angles = is_angle(sides, domain.dimensions)
     given_by = {s: v for s, v in domain.given.items() if isinstance(v, sp.Expr)}

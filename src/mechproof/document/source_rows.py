@@ -12,6 +12,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document import mentions
+from mechproof.document.checked_rows import UNFORESEEN
 from mechproof.document.double_signs import (
     find_double_signs,
     find_following,
@@ -52,8 +53,8 @@ from mechproof.tools.processes import limit_time
 T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
-_MEMBER = ", a member of a family: declare it as a separate letter"
-UNFIT = "numbers and matrices do not fit together here, or SymPy cannot substitute the values"
+_MEMBER = ", a member of a family: declare it as a letter of its own"
+UNFIT = "numbers and matrices do not fit together here, or values of letters cannot be put in"
 # Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -297,6 +298,10 @@ class Document:
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
             known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
+        except Exception as error:
+            # No equation can end the run.
+            told = f"{UNFORESEEN} ({type(error).__name__})"
+            return self._leave(printed, State.NOT_JUDGED, told)
 
     def _leave(self, printed: Printed, state: State, reason: str) -> Left:
         latex = printed.latex.string

@@ -85,10 +85,10 @@ def _read_bracket(parser: Parser) -> tree.Node:
 
 def _read_cross(parser: Parser, bracket: tree.Bracket) -> tree.Node:
     r"""Read [a]_\times, the matrix of the cross product with a."""
-    texts = [token.text for token in parser.rest[:4]]
-    if places.is_between(parser):
+    is_cross = [token.text for token in parser.rest[:4]] == ["_", "{", r"\times", "}"]
+    if places.is_between(parser) and not is_cross:
         return places.read_between(parser, bracket)
-    if texts != ["_", "{", r"\times", "}"]:
+    if not is_cross:
         _refuse_index(parser, bracket.start)
         return bracket
     parser.place += 4

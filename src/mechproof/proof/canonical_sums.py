@@ -100,10 +100,7 @@ def _align(node: sp.Sum, domain: Domain) -> sp.Expr:
 
 def _check_limits(index: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain) -> None:
     if not (upper.is_integer and _is_not_negative(upper - lower + 1, domain)):
-        raise NotImplementedError(
-            f"a sum over {index} from {lower} to {upper}: these limits are not shown to be whole "
-            "numbers in ascending order"
-        )
+        raise NotImplementedError(f"a sum from {lower} to {upper} is not worked out")
 
 
 def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
@@ -118,9 +115,7 @@ def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
     bound = {limit[0] for limit in node.limits} | {index for index, _ in limits}
     for index, lower, upper in node.limits:
         if lower != 1 or upper.free_symbols & bound:
-            raise NotImplementedError(
-                f"an inner sum over {index} from {lower} to {upper} is not rearranged"
-            )
+            raise NotImplementedError(f"a sum from {lower} to {upper} is not worked out")
         _check_limits(index, lower, upper, domain)
         fresh = sp.Dummy(index.name, integer=True)
         body = body.subs(index, fresh)
@@ -144,7 +139,7 @@ def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Ex
         ):
             raise NotImplementedError(f"an inner sum next to other terms is not rearranged: {node}")
         return sp.Add(*inner)
-    raise NotImplementedError(f"a sum inside {type(node).__name__} inside a sum is not rearranged")
+    raise NotImplementedError("a sum of what has another sum in it that is no term")
 
 
 def _canonical_term(term: sp.Expr, limits: list[Limit]) -> sp.Expr:

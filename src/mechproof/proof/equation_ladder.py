@@ -189,8 +189,10 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
         return Answer(Verdict.REFUTED, FROM_SIDES, told, (Evidence(told),))
     if told := tell_divergence((printed, rebuilt), domain):
         return Answer(Verdict.REFUTED, DIVERGENCE, told, (Evidence(told),))
-    if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
-        return Answer(Verdict.UNDECIDED, "none", clip(f"{limits[0]} is not worked out"))
+    if limits := find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit):
+        body, letter, point, _ = min(limits, key=str).args
+        told = f"the limit of {body} as {letter} goes to {point} is not worked out"
+        return Answer(Verdict.UNDECIDED, "none", clip(told))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
     return _decide_scalars(printed, rebuilt, domain)

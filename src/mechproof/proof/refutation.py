@@ -261,7 +261,9 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_sums, has_steps = has_parts(expression, *_COUNTED), has_parts(expression, *_STEPS)
+    # An index may count, too: for n = 2 the element of n + 1 is the third.
+    has_counts = has_parts(expression, *_COUNTED, sp.Indexed)
+    has_steps = has_parts(expression, *_STEPS)
     free = find_free(expression)
     exact = {
         s: v
@@ -269,7 +271,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         if s in free
         and (
             not v.is_Rational
-            or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+            or (has_counts and v.is_Integer and isinstance(s, sp.Symbol))
             or has_steps
         )
     }

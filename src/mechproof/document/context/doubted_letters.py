@@ -41,6 +41,11 @@ from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
 from mechproof.statement_domains.domain import Domain
 
+# Why a row with the same letters on both sides is left open.
+EITHER = (
+    "the two sides differ, though they have the same letters: a misprint, or a constraint? Say "
+    "which in the block of letters: identity, or constraint"
+)
 _OPEN = (Verdict.UNDECIDED.value, Verdict.ENCLOSED.value)
 
 
@@ -180,13 +185,16 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
 
 def doubt_by_lengths(at: Judging) -> Changes:
     """Accuse no row that holds where a sum of squares is 1: words may tell a length."""
-    for n, task in enumerate(at.tasks):
-        if at.rows[n].outcome == Verdict.REFUTED.value and (said := tell_length(task)):
-            yield n, make_row(task, said)
+    refuted = Verdict.REFUTED.value
+    asked = [(n,) for n, row in at.rows.items() if row.outcome == refuted or row.reason == EITHER]
+    for (n,), said in at.ask(_tell_length, asked):
+        if isinstance(said, str) and said:
+            yield n, make_row(at.tasks[n], said)
 
 
-def tell_length(task: Task) -> str:
+def _tell_length(tasks: Sequence[Task], number: int) -> str:
     """Say that a row holds where a vector of its letters has the length 1, nothing if not."""
+    task = tasks[number]
     entries = [one for one in list_all_entries(task, ()) if one.residual != 0]
     for base in list_radicands(sp.sympify(one.residual) for one in entries):
         unit = replace(task, residual=base - 1, rates=())
