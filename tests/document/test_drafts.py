@@ -344,6 +344,13 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
         (r"$$y=\begin{pmatrix}b&c_\text{f}\\-b&b\end{pmatrix}$$", ["y 2x2 :"], ["y :"]),
         (r"$$y=b_0^{\text{stat}}+c$$", [r"b_{0}^{\text{stat}} :"], ["b_{0} :"]),
         (r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$", ["R 2x2 :"], ["T :"]),
+        # An exponential has the size of its exponent.
+        (
+            r"$$A=\begin{pmatrix}0&1\\0&0\end{pmatrix}$$ $$R=e^{-At}=I-At$$ $$S=\exp(At)$$",
+            ["R 2x2 :", "S 2x2 :", r"let I=\begin{pmatrix}1&0\\0&1\end{pmatrix}"],
+            ["t 2x2 :"],
+        ),
+        (r"$$h=\begin{pmatrix}b\\c\end{pmatrix}$$ $$R=e^{q}$$", ["R :"], ["R 2x1 :"]),
         (
             r"$$R=\begin{pmatrix}1&b\\0&1\end{pmatrix}$$ $$R^TR=S$$ $$T_x=b$$",
             ["R 2x2 :", "T_{x} :"],

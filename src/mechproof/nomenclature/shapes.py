@@ -16,6 +16,7 @@ from itertools import pairwise
 import sympy as sp
 
 from mechproof.latex import ReadingError, tree
+from mechproof.latex.printed_functions import OF_MATRICES
 from mechproof.nomenclature.shown_letters import (
     Collected,
     find_shapes,
@@ -121,7 +122,7 @@ class Shapes:
                 self._push(factor, COLUMN)
         elif isinstance(node, tree.Product):
             self._look_at_frames(node.factors)
-        elif isinstance(node, tree.Call) and node.function.name not in ("det", "tr", "Tr", "inv"):
+        elif isinstance(node, tree.Call) and node.function.name not in OF_MATRICES:
             for argument in node.arguments:
                 self._push(argument, NUMBER)
         elif isinstance(node, tree.Table) and max(len(node.rows), len(node.rows[0])) > _BLOCKS:
@@ -190,6 +191,10 @@ class Shapes:
             return COLUMN if self._is_cross(node) else self._multiply(node.factors)
         if isinstance(node, tree.Quotient):
             return self.measure(node.above)
+        if isinstance(node, tree.Power) and (raised := self._measure_exponent(node.exponent)):
+            return raised
+        if isinstance(node, tree.Call) and node.function.name == "exp" and node.arguments:
+            return self._measure_exponent(node.arguments[0]) or NUMBER
         if isinstance(node, tree.Power):
             shape = self.measure(node.base)
             # The square of a vector is its product with itself.
@@ -202,6 +207,16 @@ class Shapes:
             return (sum(heights), sum(widths)) if heights and widths else None
         is_number = isinstance(node, _NUMBERS) or (isinstance(node, tree.Call) and node.arguments)
         return NUMBER if is_number else None
+
+    def _measure_exponent(self, node: tree.Node) -> Shape | None:
+        """Return the shape of an exponent that is a multiple of a square matrix, else None."""
+        inside = tree.strip(node)
+        if isinstance(inside, tree.Add) and len(inside.terms) == 1:
+            inside = inside.terms[0][1]
+        factors = inside.factors if isinstance(inside, tree.Product) else (inside,)
+        shapes = {shape for shape in map(self.measure, factors) if shape not in (None, NUMBER)}
+        square = shapes.pop() if len(shapes) == 1 else NUMBER
+        return square if square and square[0] == square[1] > 1 else None
 
     def _find_other_frame(self, letter: tree.Letter) -> Shape | None:
         """Return the shape of the same letter between other frames."""
