@@ -315,3 +315,17 @@ $$K=\begin{pmatrix}a&b\\-b&a\end{pmatrix}$$
 @pytest.mark.parametrize(("entry", "expected"), [("0", "PROVED"), ("M", "DEFINITION")])
 def test_no_entry_with_the_letter_of_a_matrix_is_left_out(entry: str, expected: str) -> None:
     assert check("paper.tex", BLOCKS.replace("@", entry)).rows[-1].outcome == expected
+
+
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"\left.\begin{pmatrix}\cos q\\a\end{pmatrix}\right|_{q=0}=(1, a)", "PROVED"),
+        (r"\left.\begin{pmatrix}\cos q\\a\end{pmatrix}\right|_{q=0}=(0, a)", "REFUTED"),
+        (r"\left.\begin{pmatrix}q\\s\end{pmatrix}\right|_{q=0}=(0, a)", "not read"),
+    ],
+)
+def test_a_printed_matrix_has_a_value_at_a_place(latex: str, outcome: str) -> None:
+    block = "%% mechproof\n%% q : angle\n%% a : number\n%% s(q) : law\n%% end\n"
+    (row,) = check("paper.tex", f"{block}$${latex}$$").rows
+    assert row.outcome == outcome

@@ -270,7 +270,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
         )
     before = {*meaning.lost}
     term = meaning.side(node.term)
-    if not isinstance(node.term, Letter):
+    if not isinstance(node.term, Letter) and not isinstance(term, sp.MatrixBase):
         term = meaning.take_number(node.term, term)
     if any(factor.subs(variable, point) == 0 for factor in meaning.lost.keys() - before):
         raise meaning.source.refuse(node.start, "this divides by zero there")
