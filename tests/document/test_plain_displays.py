@@ -209,8 +209,8 @@ UNREAD = {
     r"x=2y\quad\text{(kilometers)}": "is not understood",
     r"x=25\quad\text{(percent)}": "is not understood",
     r"x=25\quad\text{(square metres)}": "is not understood",
-    # Of equation (1).
-    r"x=y-2(1)": "the number, or the equation that has it?",
+    # The (1) may refer to equation (1).
+    r"x=y-2(1)": "the number, or the equation with that number?",
 }
 
 

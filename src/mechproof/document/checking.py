@@ -74,7 +74,7 @@ from mechproof.sources.displays import EXPECTED
 from mechproof.sources.located_text import Place
 from mechproof.sources.paper_files import SUFFIXES, DocumentError, is_file, read_source
 
-# Tells those who pass an equation where a file name belongs.
+# Advice for a caller who passes an equation where a file name belongs.
 _PASTED = "to judge an equation, use mechproof.judge_equation"
 
 

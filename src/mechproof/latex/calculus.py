@@ -77,9 +77,9 @@ class _Range:
 
 
 def read_repeated(parser: Parser) -> tree.Node:
-    r"""Read \sum_{k=1}^n and the product behind it; \sum_{k=1,k\ne i} leaves one term out.
+    r"""Read \sum_{k=1}^n and the product after it; \sum_{k=1,k\ne i} leaves one term out.
 
-    \sum_{i,j=1}^n and \sum_{1\le i<j\le n} are sums of sums.
+    \sum_{i,j=1}^n and \sum_{1\le i<j\le n} are nested sums.
     """
     start = parser.start
     name = parser.take().text.strip("\\")

@@ -156,10 +156,10 @@ def is_bracketed(parser: Parser) -> bool:
 
 
 def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
-    """Return the statements of a print, each with the conditions that stand behind them all.
+    """Return the statements of a print, each with the conditions that follow them all.
 
-    Inequalities before equations are conditions of these, too; those of more than a letter are
-    statements as well.
+    Inequalities before equations are conditions of these, too; those of more than one letter are
+    also statements.
     """
     statements: list[Chain] = []
     conditions: list[Chain] = []

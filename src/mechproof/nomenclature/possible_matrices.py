@@ -1,6 +1,6 @@
-r"""Letters that are printed as matrices are: [R], R^T, \det R, (I-R)^{-1} beside a factor.
+r"""Letters printed as matrices usually are: [R], R^T, \det R, (I-R)^{-1} next to a factor.
 
-And those that are printed, or said to be, unit matrices.
+Letters that are printed or described as unit matrices are found, too.
 """
 
 from __future__ import annotations

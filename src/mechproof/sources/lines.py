@@ -280,9 +280,9 @@ def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
 
 
 def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
-    """Yield the equations of a line that wide gaps part, or a word such as "or".
+    """Yield the equations of a line, separated by wide gaps or by a word such as "or".
 
-    An inequality at the beginning may be a condition of all of them: the line is left whole.
+    A line that begins with an inequality is left whole, since this may be a condition of them all.
     """
     latex = _drop_remarks(latex)
     if _begins_with_inequality(latex.string):
