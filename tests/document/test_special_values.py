@@ -429,6 +429,20 @@ def test_a_row_is_meant_at_what_is_said_to_be_zero_beside_it(
 
 
 @pytest.mark.parametrize(
+    ("words", "outcome"),
+    [
+        (r"At $\psi=0$ we obtain", "REFUTED"),
+        (r"At $\psi=0$ and $\psi=\pi$ we obtain", "not judged"),
+        (r"At $\psi=0$ or $\pi/2$ we obtain", "not judged"),
+        (r"At $\psi=0$ and with the length $a$ we obtain", "REFUTED"),
+    ],
+)
+def test_of_two_values_that_words_say_none_is_meant(words: str, outcome: str) -> None:
+    rows = check("paper.tex", rf"{LETTERS}{words} $$h=b-a$$").rows
+    assert rows[-1].outcome == outcome, rows[-1].reason
+
+
+@pytest.mark.parametrize(
     ("latex", "expected"),
     [(r"1+\frac{z_1}{z_2}", "PROVED"), (r"1+\frac{z_2}{z_1}", "it differs from the third member")],
 )

@@ -9,6 +9,7 @@ or choose one for a letter that a formula gives: "we choose M16 with A=157 mm²"
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -31,6 +32,10 @@ from mechproof.statement_domains.dimension_inference import DimensionError, infe
 
 # The word after a formula, which may be its unit.
 _NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")
+# A second value behind a formula: "at $\varphi=0$ and $\pi$".
+_SECOND = re.compile(
+    r",?\s*(?:and|or)\s+\$(?P<value>(?:[-+\d\s.,/{}^]|\\(?:pi|circ|ang|[dt]?frac)(?![a-z]))+)\$"
+)
 
 
 @dataclass(frozen=True)
@@ -271,7 +276,14 @@ class RestatedSizes:
         self.usual = symbols.usual
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
         letters = {name: v.symbol for v in symbols.variables for name in v.latex}
-        self.found = [*_find(source, letters, symbols)]
+        inline = [*find_inline(source, letters)]
+        self.found = [*_find(inline, source, letters, symbols)]
+        second = ((one, _SECOND.match(source.text.string, one.end)) for one in inline)
+        self.said = [
+            (letters.get(one.letter), value, one.end)
+            for one, other in second
+            for value in (one.value, *((other["value"],) if other else ()))
+        ]
         self.quantities = [*find_quantities(source)]
 
     def list_before(self, printed: Printed) -> dict[sp.Basic, Restated]:
@@ -290,16 +302,24 @@ class RestatedSizes:
         return [one for one in reversed(self.quantities) if one.place < place]
 
     def list_zeros(self, before: Printed | None, printed: Printed) -> set[sp.Basic]:
-        """Return the letters that are said to be zero between two equations."""
+        r"""Return the letters that are said to be zero, and nothing else, between two equations.
+
+        "At $\varphi=0$ and $\varphi=\pi$" tells of two values.
+        """
         first, last = self._find_place(before) if before else -1, self._find_place(printed)
-        return {one.letter for one in self.found if first < one.place < last and one.value == 0}
+        said = {(letter, value) for letter, value, place in self.said if first < place < last}
+        times = Counter(letter for letter, _ in said)
+        zeros = (one for one in self.found if first < one.place < last and one.value == 0)
+        return {one.letter for one in zeros if times[one.letter] == 1}
 
     def _find_place(self, printed: Printed) -> int:
         return self.order.get(printed.latex.offsets[printed.taken], -1)
 
 
-def _find(source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols) -> Iterator[Restated]:
-    for one in find_inline(source, letters):
+def _find(
+    inline: Iterable[Inline], source: Source, letters: Mapping[str, sp.Basic], symbols: Symbols
+) -> Iterator[Restated]:
+    for one in inline:
         letter = letters.get(one.letter)
         if letter is None or one.number is None:
             continue
