@@ -22,14 +22,15 @@ _THINGS = (
     r"(?:teeth|pins|planets|planet gears|rollers|balls|cylinders|pistons|blades|lobes|bolts|rivets"
     r"|discs|spokes)\b"
 )
-_LETTER = r"\$\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*\$"
+_LETTER = r"\$\s*(\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?)\s*(?:=[^$=]{1,30})?\$"
 _COUNTED = re.compile(
     rf"{_LETTER}\s+{_THINGS}|\bnumber\s+of\s+{_THINGS}\s+{_LETTER}"
     rf"|{_LETTER}\s+is\s+the\s+number\s+of\s+{_THINGS}"
 )
 _VIRTUAL = re.compile(
-    r"\b(?:virtual|equivalent|ideal|fictitious|negative|theoretical"
-    r"|(?:mean|average|effective) number)\b"
+    r"\b(?:virtual|fictitious|negative)\b"
+    r"|\b(?:equivalent|ideal|theoretical|mean|average|effective)\s+"
+    rf"(?:\w+\s+){{0,2}}(?:{_THINGS}|numbers?|tooth|gears?|wheels?|counts?)"
 )
 _ARGUMENT = r"\\(?:sin|cos|tan|cot)\s*(?:\d|\\pi|\s)*"
 

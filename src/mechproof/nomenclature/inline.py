@@ -6,7 +6,7 @@ Also the quantities that sentences state without a letter: "a bolt with an area 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -31,7 +31,7 @@ EQUATION = re.compile(
 _MULTIPLE = re.compile(r"(?P<number>\d+)\s*(?P<letter>\\?[A-Za-z].*)")
 RATE = re.compile(r"\\dot\s*\{?\s*(\\?[A-Za-z]+)\s*\}?")
 # A letter with the letter that a sentence says it depends on: M(x).
-CALL = re.compile(r"(?P<stem>.+?)\s*\(\s*(?P<by>\\?[A-Za-z]+)\s*\)")
+CALL = re.compile(r"(?P<stem>.+?)\s*\(\s*(?P<by>(?!\\pi\s*\))\\?[A-Za-z]+)\s*\)")
 _INDEXED = re.compile(r"(?P<stem>.+?)_\{?(?P<index>\\?[A-Za-z]+)\}?")
 _DIGITS = re.compile(r"\A[-+\d.,{}\s]+")
 # Words in front of something that holds in one case; "at" in front of a speed's value is not one.
@@ -54,6 +54,11 @@ _DEFINING = re.compile(r",\s*(?:with|where)\s+\Z")
 _STEADY = re.compile(r"(?<!not\s)\b(?:constant|uniform(?:ly)?)\b")
 _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+|changes?)\b")
 _BEFORE = 70
+# An equation that another one is joined to, and the characters within which it is looked for.
+_JOINED = re.compile(r"\$[^$=]+=[^$]+\$,?\s+(?:and|or)\s+\Z")
+_FAR = 300
+# Commas between equations, but no decimal ones and none in brackets or braces.
+_COMMA = re.compile(r",(?!\d)(?![^{}]*\})(?![^()]*\))")
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
 # What separates the equations of one display.
@@ -107,30 +112,54 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     macros = {defined.name: defined.macro for defined in find_macros(source.text)[0]}
     for match in _INLINE.finditer(text):
         inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
-        found = EQUATION.match(expand(inside, macros).string)
-        left, value = found.group("letter", "value") if found else ("", "")
-        letter = names.get(name_symbol(left))
-        if (times := _MULTIPLE.fullmatch(left)) and name_symbol(times["letter"]) in names:
-            letter = names[name_symbol(times["letter"])]
-            value = rf"\frac{{{value}}}{{{times['number']}}}"
-        by = ""
-        if letter is None and (call := CALL.fullmatch(left)):
-            letter, by = names.get(name_symbol(call["stem"])), call["by"]
-        if found and (rate := RATE.fullmatch(found["letter"])) and name_symbol(rate[1]) in names:
-            letter = found["letter"]
-        if found is None or letter is None:
-            continue
-        others = tuple(part.strip() for part in found["rest"].split("=")[1:])
         offset = source.text.offsets[match.start()]
         line = source.files.locate(offset).line
         behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
-        number, unit = read_quantity(value, name_unit(behind))
-        before = text[max(match.start() - _BEFORE, 0) : match.start()]
-        is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
+        before = _drop_joined(text[max(match.start() - _FAR, 0) : match.start()])[-_BEFORE:]
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
-        words = (is_case, is_varying, match.end(), offset)
-        yield Inline(letter, value, line, number, unit, *words, others, by)
+        for letter, value, others, by in _read_equations(expand(inside, macros).string, names):
+            number, unit = read_quantity(value, name_unit(behind))
+            is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
+            words = (is_case, is_varying, match.end(), offset)
+            yield Inline(letter, value, line, number, unit, *words, others, by)
+
+
+def _drop_joined(before: str) -> str:
+    """Return the words before an equation, or those before others to which it is joined."""
+    while (shorter := _JOINED.sub("", before)) != before:
+        before = shorter
+    return before
+
+
+def _read_equations(
+    text: str, names: Mapping[str, str]
+) -> Iterator[tuple[str, str, tuple[str, ...], str]]:
+    """Yield letters of equations with their values, further members, and what they depend on."""
+    parts = _COMMA.split(text)
+    for part in parts if all("=" in one for one in parts) else [text]:
+        if not (found := EQUATION.match(part)):
+            continue
+        others = tuple(other.strip() for other in found["rest"].split("=")[1:])
+        members = (found["letter"], found["value"], *others)
+        if others and all(name_symbol(one) in names for one in members[:-1]):
+            # Several letters with one value, a=b=5.
+            yield from ((names[name_symbol(one)], members[-1], (), "") for one in members[:-1])
+        elif letter := _find_letter(found["letter"], found["value"], names):
+            yield (*letter[:2], others, letter[2])
+
+
+def _find_letter(left: str, value: str, names: Mapping[str, str]) -> tuple[str, str, str] | None:
+    """Return the letter that is alone on a side, its value, and the letter that it depends on."""
+    if (rate := RATE.fullmatch(left)) and name_symbol(rate[1]) in names:
+        return left, value, ""
+    if (times := _MULTIPLE.fullmatch(left)) and name_symbol(times["letter"]) in names:
+        return names[name_symbol(times["letter"])], rf"\frac{{{value}}}{{{times['number']}}}", ""
+    if name_symbol(left) in names:
+        return names[name_symbol(left)], value, ""
+    call = CALL.fullmatch(left)
+    letter = names.get(name_symbol(call["stem"])) if call else None
+    return (letter, value, call["by"]) if call and letter else None
 
 
 def defines_nothing(before: str) -> bool:

@@ -58,7 +58,7 @@ _HAD = (
 _CHANGE = r"(?:changes?|increases?|decreases?|differences?|variations?|deviations?|errors?)"
 _NOUN = (
     rf"(?:{_CHANGE}\s+(?:of|in)\s+(?:the\s+)?{_WORD}"
-    rf"|{_WORD}(?:\s+{_WORD}){{0,2}}(?:\s+of\s+(?:the\s+|(?!{_HAD})){_WORD}(?:\s+{_WORD})?)?)"
+    rf"|{_WORD}(?:\s+{_WORD}){{0,2}}(?:\s+of\s+(?:the\s+)?(?!{_HAD}){_WORD}(?:\s+{_WORD})?)?)"
 )
 _ALONE = r"\$[^$&|\n=<>]{1,30}\$"
 _PATTERNS = (
@@ -119,7 +119,7 @@ _NO_NOUN = re.compile(
     # A clause of its own: "with $a$, $b$ the length of the path is", "the belt couples $a$".
     r"|.*\b(?:is|are|becomes?|equals?|reads?|follows|couples|relates|connects)\Z"
     # The bullet of an item after a colon.
-    r"|\W*\Z"
+    r"|[\W\d]*\Z"
 )
 # Asterisks that emphasize words in Markdown.
 _EMPHASIS = re.compile(r"(?<=\w)\*+|\*+(?=\w)")

@@ -49,7 +49,11 @@ _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
 # A bracket, and contents that are arguments: one letter, or several parts.
 _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
-# A power of e other than a number, which may be a power of a length e.
+# What nobody multiplies by, but a place at which a letter has a value: x(0), i(\pi).
+_PLACE = re.compile(
+    r"(?:[-+\s\d/]|\\pi(?![A-Za-z])|\\infty(?![A-Za-z]))*(?:0|\\pi|\\infty)[\s\d/]*"
+)
+# A power of e that is not the square, say, of a length e.
 _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
 # Signs after the first value of an index.
 _RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
@@ -61,7 +65,9 @@ _NO_LETTER = {
 }
 # Letters that mostly run through families.
 INDICES = "ijklmn"
-# Signs of an increment where they are alone, and so are letters.
+# The lower limit of a sum that begins with 0.
+_FROM_ZERO = re.compile(r"=\s*0\s*\}\s*\^")
+# Signs of an increment where they stand alone, and so are letters.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
     for sign in (r"\delta", r"\Delta")
@@ -159,7 +165,7 @@ def collect_letters(
         if not isinstance(found, ReadingError):
             displays.append(found)
     letters = dict.fromkeys(chain.from_iterable(displays))
-    families = _find_families(displays) if guess else {}
+    families = _find_families(displays, prints) if guess else {}
     of_families = re.compile("|".join(families.values()) or r"(?!)")
     kept = [x for x in letters if INDEX not in x and not of_families.fullmatch(strip_braces(x))]
     names = {*map(name_symbol, kept)}
@@ -169,16 +175,8 @@ def collect_letters(
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
 
 
-def _mark_transposed(latex: str, tables: Collection[str]) -> str:
-    """Print the T above letters of printed matrices upright: it is no exponent."""
-    return _RAISED_T.sub(
-        lambda found: (
-            rf"{found['letter']}^{{\mathrm{{T}}}}"
-            if name_symbol(found["letter"]) in tables
-            else found[0]
-        ),
-        latex,
-    )
+def _find_families(displays: Sequence[Collection[str]], prints: Sequence[str]) -> dict[str, str]:
+    """Return families, and what their members are printed like, as a pattern without braces.
 
 
 def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
@@ -187,14 +185,15 @@ def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
     The index of a family runs through a sum somewhere. In F_k = m_k a, all are members of families
     if one of them has an index that runs in this way.
     """
-    summed = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
-    families = dict(summed)
+    families = {x.removesuffix(f"_{INDEX}"): None for one in displays for x in one if INDEX in x}
+    summed = {*map(strip_braces, families)}
     for letters in displays:
-        indexed = [x.partition("_") for x in map(strip_braces, letters)]
-        running = {index for stem, _, index in indexed if stem in summed} & {*INDICES}
-        families |= {stem: None for stem, _, index in indexed if index in running}
-    # The last member has its number as index: m_n, x_N.
-    index = rf"[-+\d{INDICES}MN]+"
+        indexed = [(x.rpartition("_")[0], strip_braces(x).partition("_")) for x in letters]
+        running = {index for _, (stem, _, index) in indexed if stem in summed} & {*INDICES}
+        families |= {shown: None for shown, (_, _, index) in indexed if index in running}
+    # The last member has its number as index: m_n, x_N. What no sum begins with is no member: x_0.
+    is_from_one = not any(map(_FROM_ZERO.search, prints))
+    index = rf"{'(?!0(?:$|}}))' if is_from_one else ''}[-+\d{INDICES}MN]+"
     names = ((x, strip_braces(print_member(x, INDEX))) for x in families)
     return {x: re.escape(name).replace(re.escape(INDEX), index) for x, name in names}
 
@@ -232,6 +231,8 @@ class _Guesses:
         named = _NAMES.search(error.remedy)
         if asked:
             arguments = find_arguments(error.latex, error.place) if self.declares else ""
+            if arguments == r"\pi" and "pi" not in self.said:
+                arguments = ""
             if not arguments:
                 return _enter(asked[1], self.factors, None)
             return _enter(f"{asked[1]}({arguments})", self.letters, None)
@@ -300,6 +301,17 @@ def find_arguments(latex: str, place: int) -> str:
     bracket = _BRACKET.match(latex, place)
     is_list = bracket is not None and _ARGUMENTS.fullmatch(bracket["inner"])
     return bracket["inner"].strip() if bracket and is_list else ""
+
+
+def find_places(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
+    """Return the letters behind which brackets hold nothing but places, 0 or parts of pi."""
+    found = []
+    for letter in letters:
+        behind = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{_BRACKET.pattern}")
+        inner = [match["inner"] for latex in prints for match in behind.finditer(latex)]
+        if inner and all(map(_PLACE.fullmatch, inner)):
+            found.append(letter)
+    return found
 
 
 def is_vector(letter: str) -> bool:

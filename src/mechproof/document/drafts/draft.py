@@ -14,9 +14,11 @@ from mechproof.document.double_signs import find_imaginary_unit
 from mechproof.document.drafts import drafted_lines
 from mechproof.document.drafts.said_values import (
     ask_extremes,
+    ask_functions,
     ask_places,
     ask_what_follows,
     find_extremes,
+    propose_conditions,
     propose_relations,
     propose_values,
 )
@@ -26,7 +28,7 @@ from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printe
 from mechproof.nomenclature.possible_matrices import UNIT_MATRIX, write_unit
 from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
+from mechproof.nomenclature.shown_letters import collect_letters, find_places, name_symbol
 from mechproof.sources.displays import find_displays
 from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
@@ -76,7 +78,8 @@ def draft_block(source: Source) -> str:
     readable = (x for x in plain if x not in collected.unread)
     # A matrix needs no `factor` line: a bracket after it multiplies it unless it is an argument.
     brackets = dict.fromkeys([*collected.factors, *beside.factors])
-    factors = [x for x in brackets if name_symbol(x) not in shapes]
+    places = find_places(brackets, prints)
+    factors = [x for x in brackets if name_symbol(x) not in shapes and x not in places]
     lines = [
         *chain.from_iterable(
             drafted_lines.write_letter(name, entry, shapes.get(name), said.get(name))
@@ -90,11 +93,13 @@ def draft_block(source: Source) -> str:
         *drafted_lines.write_counts(prints, readable, entries, said, source.text.string),
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running], displays),
+        *propose_conditions(source, [*running], displays),
         *find_extremes(source, running),
         *ask_extremes(displays, running),
         *ask_places(source, displays, running),
         *drafted_lines.ask_zeros(displays),
         *drafted_lines.write_factors(factors, entries, prints),
+        *ask_functions(places, running),
         *((f"imaginary {unit}",) if unit else ()),
         *(f"function {name} is {meant}" for name, meant in collected.functions.items()),
     ]
@@ -175,16 +180,21 @@ def _find_inline(
     source: Source, entries: Mapping[str, drafted_lines.DraftedLetter]
 ) -> list[tuple[str, Inline]]:
     """Return the sizes and formulas that sentences give letters, if unique for the letter."""
-    found: dict[tuple[str, bool], dict[str, Inline]] = {}
+    found: dict[tuple[str, bool], dict[object, Inline]] = {}
     for one in find_inline(source, [name for entry in entries.values() for name in entry.names]):
         kind = name_symbol(one.letter), one.number is None
-        found.setdefault(kind, {}).setdefault(one.value, one)
-    # A formula for one case does not compete with one that holds throughout.
+        value = (one.number.value, one.unit) if one.number else one.value
+        found.setdefault(kind, {}).setdefault(value, one)
+    # What is said of one case does not compete with what holds throughout, nor a zero.
     single = (
-        (name, [x for x in ones.values() if not (is_formula and x.is_case)] or [*ones.values()])
-        for (name, is_formula), ones in found.items()
+        (name, [x for x in ones.values() if not _is_of_case(x)] or [*ones.values()])
+        for (name, _), ones in found.items()
     )
     return [(name, ones[0]) for name, ones in single if len(ones) == 1]
+
+
+def _is_of_case(one: Inline) -> bool:
+    return one.is_case and (one.number is None or one.number.value == 0)
 
 
 def _is_euler(prints: Sequence[str]) -> bool:

@@ -46,7 +46,7 @@ _POSITIVE = re.compile(
     re.IGNORECASE,
 )
 # A word in a letter's index, as it is read.
-_WORD_BELOW = re.compile(r"_\{\\([A-Za-z]+)\}")
+_WORD_BELOW = re.compile(r"(?<=_\{)\\([A-Za-z]+)(?=[,}])|(?<=,)\\([A-Za-z]+)(?=\})")
 # Letters that could mean something else if undeclared.
 _ASKED = {
     "e": r"a letter here, Euler's number elsewhere",
@@ -64,7 +64,7 @@ _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 _D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*"
 _INDEX = r"_(?:\w|\{\w+\}|(?:\{\s*)?\\(?:text|mathrm|mbox)\s*\{[^{}]*\}\s*\}?)"
 _OF = rf"{_D}(?:\^\s*\{{?\d\}}?)?\s*(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*"
-_BY = rf"{_D}(?P<by>\\?[A-Za-z]+)"
+_BY = rf"{_D}(?P<by>\\?[A-Za-z]+(?:{_INDEX})?)"
 _QUOTIENTS = (
     re.compile(rf"\\frac\s*\{{\s*{_OF}\}}\s*\{{\s*{_BY}[^{{}}]*\}}"),
     re.compile(rf"(?<![A-Za-z\\]){_OF}/\s*{_BY}"),
@@ -76,7 +76,7 @@ _RESPECT = re.compile(
 # The variable of a prime, which the chain rule shows: s'\dot\theta.
 _CHAINED = re.compile(r"(?<!')'\s*(?:\\cdot\s*|\\,\s*)?\\dot\s*\{?\s*(\\?[A-Za-z]+)")
 _EXTREME = re.compile(r"_\{?\s*(?:\\mathrm\s*\{|\\text\s*\{|\\)?(?:max|min)\b")
-_FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*(\\?[A-Za-z]+)\s*\)\s*\$")
+_FUNCTION = re.compile(r"\$\s*(\\?[A-Za-z]+)\s*\(\s*((?!\\pi\s*\))\\?[A-Za-z]+)\s*\)\s*\$")
 
 
 def write_letter(
@@ -210,8 +210,9 @@ def show_line(line: str) -> str:
 
 def _write_upright(match: re.Match[str]) -> str:
     r"""Write a word in an index as it may be printed: \mathrm{in}, as \in would be a sign."""
-    is_macro = match[1] in GREEK or match[1] in ("max", "min")
-    return match[0] if is_macro else rf"_{{\mathrm{{{match[1]}}}}}"
+    word = match[1] or match[2]
+    is_macro = word in GREEK or word in ("max", "min")
+    return match[0] if is_macro else rf"\mathrm{{{word}}}"
 
 
 @dataclass

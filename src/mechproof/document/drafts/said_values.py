@@ -32,8 +32,16 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[
 # Most characters between a reference and the equation it belongs to.
 _NEAR = 400
 # An equation in a sentence, after an introducing word or after another equation.
-_RELATION = re.compile(r"\$(?P<left>[^$=]{2,80})=(?P<right>[^$=]{1,80})\$|\$[^$]*\$")
+_RELATION = re.compile(
+    r"\$(?P<left>[^$=]{2,80})=(?!\s*\\(?:mathrm|text|mbox)\s*\{\s*const)(?P<right>[^$=]{1,80})\$"
+    r"|\$[^$]*\$"
+)
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
+# A condition in a sentence that says that it holds: since $|\psi|<\pi/2$.
+_CONDITION = re.compile(
+    r"\b(?:[Ss]ince|[Bb]ecause|as|[Ww]here|[Ww]ith)\s+"
+    r"\$(?P<says>[^$=]+(?:[<>]|\\l[et]q?(?![a-z])|\\g[et]q?(?![a-z]))[^$=]+)\$"
+)
 # The signs that letters consist of.
 _SIGN = re.compile(r"\\[A-Za-z]+|[A-Za-z0-9]")
 # A turn by parts of pi, and a factor: a letter with these is another position.
@@ -159,6 +167,19 @@ def propose_relations(
             yield from _ask(line, said[1]) if is_case else said
 
 
+def propose_conditions(
+    source: Source, letters: Sequence[str], displays: Sequence[Printed]
+) -> Iterator[str]:
+    """Yield conditions of which sentences say that they hold; in an example as questions."""
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    for match in _CONDITION.finditer(text):
+        if _has_letter(match["says"], "", letters):
+            offset = source.text.offsets[match.start()]
+            number, line = source.files.locate(offset).line, f"where {match['says'].strip()}"
+            said = (f"# line {number} says:", line)
+            yield from _ask(number, line) if find_example(offset, displays) else said
+
+
 def _ask(number: int, line: str) -> Iterator[str]:
     yield from (f"# line {number}: a special case, or does it always hold?", f"# {line}")
 
@@ -232,6 +253,14 @@ def ask_places(
             at = place["place"]
             yield f"# {display.name}: is that the value of {letter} for {at}?"
             yield rf"# claim {letter}={value}\quad\text{{for }}{at}"
+
+
+def ask_functions(letters: Sequence[str], running: Mapping[str, str]) -> Iterator[str]:
+    """Yield questions for letters of which a value at a place is printed."""
+    known = {name_symbol(letter) for letter, by in running.items() if by}
+    for name in letters:
+        if name_symbol(_MARKS.sub("", name)) not in known:
+            yield f"# A value of {name} at a place: say what {name} depends on, {name}(…) :"
 
 
 def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
