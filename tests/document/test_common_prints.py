@@ -208,3 +208,19 @@ def test_a_phase_of_letters_without_units_is_one_argument(printed: str, outcome:
     block = "%% mechproof\n%% y(t) : way\n%% b ; \\Omega ; t :\n%% end\n"
     rows = check("paper.tex", rf"{block}$$y=b\cos\Omega t$$ $${printed}$$").rows
     assert rows[1].outcome == outcome, rows[1].reason
+
+
+@pytest.mark.parametrize(
+    ("said", "outcomes"),
+    [
+        (r"function \arccot is (0,\pi)", ["PROVED", "REFUTED"]),
+        (r"function \arccot is (-\pi/2, \pi/2)", ["REFUTED", "PROVED"]),
+        ("factor k", ["not read", "not read"]),
+    ],
+)
+def test_the_range_of_an_arccotangent_is_said(said: str, outcomes: list[str]) -> None:
+    block = f"%% mechproof\n%% k : number {{k>0}}\n%% {said}\n%% end\n"
+    prints = (
+        rf"\operatorname{{arccot}}(-k)={sign}\operatorname{{arccot}}k" for sign in (r"\pi-", "-")
+    )
+    assert judge_parts(block, *prints) == outcomes

@@ -74,6 +74,11 @@ CASES = {
     r"\left.h+a\right|_{\psi=0,c=0}=a+b": ["REFUTED"],
     r"ah|_{\psi=0}=a^2": ["not read"],
     r"\left.h\right|=a": ["not read"],
+    # Its index says that it is the value there; what differs is no constraint.
+    r"\left(\frac ha\right)_{\max}=\frac{a+b}a\quad\text{at }\psi=0": ["PROVED"],
+    r"\left(\frac ha\right)_{\max}=\frac{a-b}a\quad\text{at }\psi=0": ["REFUTED"],
+    r"\left(\frac ha\right)_{\max}=2\quad\text{at }b=a": ["not judged"],
+    r"\left(\frac ha\right)_{\max}=\frac{a+b}a\quad\text{for }\psi=0": ["not read"],
     r"w(0)=0": ["not read"],
     r"\dot w(0)=v": ["not read"],
     r"z(0)=0": ["PROVED"],

@@ -239,6 +239,8 @@ def _leave_open(at: Judging) -> Changes:
         if task.sign.role in COMPARED:
             is_said = UNLIKE in found.reason or ROOT in found.reason
             yield number, make_row(task, found.reason if is_said else tell_unlike(task))
+        elif task.is_indexed:
+            yield number, make_row(task, "that the bracket has this value there was not shown")
         elif task.is_either:
             yield number, make_row(task, EITHER)
 

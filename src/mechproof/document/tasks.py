@@ -21,6 +21,7 @@ from mechproof.sources.located_text import Place
 
 EQUAL = ("=", r"\equiv")
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
+_INDEXED = re.compile(r"\)\s*_")
 
 
 class Role(StrEnum):
@@ -149,6 +150,11 @@ class Task:
         """Return whether the print has a decimal next to letters, which is taken to be rounded."""
         is_number = isinstance(self.row.says, PrintedNumber) or self.sign.is_calculated
         return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
+
+    @property
+    def is_indexed(self) -> bool:
+        r"""Return whether a bracket is meant at one place only, (a/b)_{\max}."""
+        return bool(_INDEXED.search(self.row.printed_latex))
 
     @property
     def is_alone(self) -> bool:

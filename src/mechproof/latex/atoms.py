@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.latex import calculus, environments, letters, places, printed_derivatives, tree
 from mechproof.latex.characters import is_digit
-from mechproof.latex.latex_signs import DOTS, NARROW
+from mechproof.latex.latex_signs import DOTS, NARROW, find_close, measure_depths
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.matrix_meaning import give_inner_product, make_cross_matrix
 from mechproof.latex.measures import read_measure, read_unit
@@ -217,6 +217,13 @@ def read_excerpt(parser: Parser, whole: tree.Node, start: int) -> tree.Node:
         ranges.append(_read_range(parser))
     parser.take("]")
     return tree.Excerpt(whole, tuple(ranges), start=start, end=parser.end)
+
+
+def is_pair(parser: Parser, count: int) -> bool:
+    """Return whether two arguments in a bracket stand so many signs ahead."""
+    texts = [token.text for token in parser.rest[count:]]
+    depths = zip(texts[: find_close(texts)], measure_depths(texts), strict=False)
+    return texts[:1] == ["("] and (",", 1) in depths
 
 
 def is_excerpt(parser: Parser) -> bool:

@@ -51,7 +51,9 @@ LONGEST_NAME = 40
 
 def _spell(notation: Notation) -> Mapping[tuple[str, ...], tree.PrintedFunction]:
     """Return the declared functions that are printed as several signs: `cos^{-1}`, `Inv`."""
-    spelled = {}
+    two = tree.PrintedFunction("atan2", FUNCTIONS["atan2"])
+    names = ("atan", "arctan", "arctg")
+    spelled: dict[tuple[str, ...], tree.PrintedFunction] = {(rf"\{x}", "2"): two for x in names}
     for name, make in notation.functions.items():
         for latex in (name, rf"\{name}"):
             if len(signs := to_signs(latex)) > 1:
@@ -169,6 +171,7 @@ class Parser:
         """Return the longest declared function of several signs here, and its number of signs."""
         texts = tuple(token.text for token in self.tokens[self.place : self.place + LONGEST_NAME])
         found = [(f, len(s)) for s, f in self._spelled.items() if texts[: len(s)] == s]
+        found = [one for one in found if one[0].name != "atan2" or atoms.is_pair(self, one[1])]
         return max(found, key=itemgetter(1), default=None)
 
     def open_group(self) -> bool:
@@ -305,6 +308,8 @@ class Parser:
             atom = atoms.read_excerpt(self, atom, start)
         if places.is_bar(self):
             return places.read_bar(self, atom, place)
+        if self.text == "_" and isinstance(atom, tree.Bracket):
+            return places.read_indexed(self, atom)
         if suffixed := printed_derivatives.read_suffix(self, atom):
             return suffixed
         if self.text != "^":

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LEFT = r"\left."
+_AT = r"\text{at}"
 _BARS = ("|", r"\rvert")
 _NUMERIC = (r"\pi", r"\frac", "{", "}", "/", "-", ".", r"\cdot", "^", r"\circ")
 
@@ -50,6 +51,26 @@ def read_bar(parser: Parser, term: Node, place: int) -> Node:
             "how far does the bar reach?", r"Print \left. where it begins.", bar.start
         )
     return _read_place(parser, term)
+
+
+def read_indexed(parser: Parser, term: Node) -> Node:
+    r"""Read (a/b)_{\max}, the value of a bracket at the place that \text{at }x=0 says behind it.
+
+    With "for x=0" it would be the largest value in a case.
+    """
+    start, behind = parser.start, [token.text for token in parser.rest]
+    if _AT not in behind or "=" not in behind[behind.index(_AT) :]:
+        raise parser.refuse(
+            "an index behind a bracket: at which place is this value meant?",
+            r"Print the place behind the equation, \text{ at }x=0; or state the largest value of "
+            r"all as \max_x(…)=….",
+            start,
+        )
+    parser.take("_")
+    parser.take("{")
+    while not parser.skip("}"):
+        parser.take()
+    return term
 
 
 def _read_place(parser: Parser, term: Node) -> Node:

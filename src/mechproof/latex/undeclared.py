@@ -68,9 +68,10 @@ def read_undeclared(parser: Parser) -> Node:
     if text == r"\dots":
         raise parser.refuse("dots in place of an earlier print", "Enter the whole chain.")
     if text[1:] in AMBIGUOUS:
+        unclear, options = AMBIGUOUS[text[1:]]
         raise parser.refuse(
-            f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be stated",
-            parser.remedies.function.format(text[1:]),
+            f"{text[1:]} is not the same everywhere: {unclear} must be said",
+            parser.remedies.function.format(text[1:]).replace("is …", f"is {options}"),
         )
     word = _upright_word(parser)
     _refuse_unit(parser, word)

@@ -11,7 +11,7 @@ from itertools import product
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.printed_functions import FUNCTIONS
+from mechproof.latex.printed_functions import FUNCTIONS, RANGES
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.adjacent_letters import find_phases
 from mechproof.nomenclature.block import Block, Declared
@@ -146,7 +146,9 @@ def _name_values(letters: Sequence[Declared]) -> list[Declared]:
 
 
 def _find_function(latex: str) -> Callable[..., sp.Expr]:
-    """Return the function with a printed name; raises `ValueError` if it is unknown."""
+    """Return the function that is printed so, or that has such a range."""
+    if make := RANGES.get("".join(latex.split())):
+        return make
     name = latex.strip().removeprefix("\\")
     if name not in FUNCTIONS:
         raise ValueError(f"function: {latex} is not one of the functions that are read")

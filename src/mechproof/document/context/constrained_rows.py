@@ -263,7 +263,8 @@ def binds(task: Task) -> bool:
     """Return whether a row may be a constraint that others follow from."""
     is_equation = isinstance(task.row.says, Equality) and task.residual is not None
     is_given = task.sign.role in (*CONSTRAINING, Role.STEP) and is_equation
-    return is_given and not (task.is_rounded or task.is_either or _needs_zeros(task))
+    is_open = task.is_rounded or task.is_either or task.is_indexed
+    return is_given and not (is_open or _needs_zeros(task))
 
 
 def _needs_zeros(task: Task) -> bool:
