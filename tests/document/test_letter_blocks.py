@@ -194,10 +194,34 @@ def test_a_unit_that_is_not_known_is_told_and_counts_as_none() -> None:
     ]
 
 
+def test_the_derivatives_of_a_letter_that_means_another_are_those_of_that() -> None:
+    block = r"""%% mechproof
+%% p(\psi) ; q(\psi) : two lifts
+%% \psi(t) : angle
+%% a ; b : lengths
+%% in (2)-(5): p is q
+%% end
+"""
+    equations = (r"p=a\sin\psi", r"p=b\cos2\psi", r"p'=-2b\sin2\psi")
+    turned = (r"\frac{dp}{d\psi}=-2b\sin2\psi", r"p'=2b\sin2\psi", r"p'=a\cos\psi")
+    found = judge_parts(block, *equations, *turned)
+    assert found == ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "REFUTED", "PROVED"]
+
+
+@pytest.mark.parametrize(
+    ("value", "found"), [("N-1", ["PROVED", "REFUTED"]), ("-N", ["REFUTED", "REFUTED"])]
+)
+def test_what_counts_may_be_given_by_what_counts(value: str, found: list[str]) -> None:
+    block = f"%% N : pins\n%% natural N\n%% z : lobes\n%% natural z\n%% let z={value}\n"
+    equations = (r"\cos z\alpha=\cos(N\alpha-\alpha)", r"\sin z\alpha=\sin2N\alpha")
+    assert outcomes(*equations, block=block) == found
+
+
 FAULTS = {
-    "factor x ; factor y": "a line has one word: 'factor y' needs its own line",
-    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs its own line",
-    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, not a condition: declare its display",
+    "m : number\n%% integer m\n%% let m=r/2": "m counts, but this is not seen to be whole",
+    "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
+    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",
+    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, no condition: say constraint \(…\)",
     r"let x=\begin{pmatrix}r\\r\end{pmatrix}": "it is a matrix, so declare its size: x 2x1",
     "where x=y": "x=y is a value, not a condition: declare let x=y",
 }

@@ -59,6 +59,11 @@ from small_papers import draft
         (r"since $|q|<\pi/2$ it is $$y=\cos q$$", [r"where |q|<\pi/2"], []),
         (r"if $q>0$ it is $$y=\cos q$$", [], ["where q>0"]),
         (r"with $\dot q=\mathrm{const}$ $$y=\dot q+q$$", [], [r"claim \dot q=\mathrm{const}"]),
+        (
+            r"with $\dot q=w=\mathrm{const}$ $$y=\dot q+q+w$$",
+            [r"let \dot q=w"],
+            [r"claim \dot q=\mathrm{const}"],
+        ),
     ],
 )
 def test_sentences_say_what_letters_are(text: str, lines: list[str], missing: list[str]) -> None:

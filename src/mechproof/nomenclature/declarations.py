@@ -192,7 +192,8 @@ def _make(
     symbol = sp.Symbol(name, positive=True) if is_positive else sp.Symbol(name, real=True)
     if first in block.natural:
         symbol, within = sp.Symbol(name, integer=True, positive=True), sp.S.Naturals
-    if first in block.integer:
+    given = (name_symbol(text.partition("=")[0]) for text in block.values)
+    if first in block.integer or (first in block.natural and name_symbol(first) in given):
         symbol, within = sp.Symbol(name, integer=True), sp.S.Integers
     if first in block.branches:
         within = sp.FiniteSet(-1, 1)

@@ -184,9 +184,21 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
                 if name not in declared:
                     raise ValueError(f"in: {name} is not declared")
         names = {latex: declared[name] for latex, name in means.items() if name in declared}
+        names = dict(_list_rates_of(names, symbols)) | names
         with block.blame(equations[0]):
             scopes.append(Scope(tuple(_list_names(equations, printed)), names))
     return replace(symbols, notation=replace(symbols.notation, scopes=tuple(scopes)))
+
+
+def _list_rates_of(
+    names: Mapping[str, sp.Basic], symbols: Symbols
+) -> Iterator[tuple[str, sp.Basic]]:
+    """Yield the derivatives of letters with what these mean: those of what the letters mean."""
+    for latex, meant in names.items():
+        by, rates = symbols.notation.moving.get(meant, (None, ()))
+        for running in (v.latex[0] for v in symbols.variables if v.symbol == by):
+            for order, rate in zip(ORDERS, rates, strict=False):
+                yield from ((printed, rate) for printed in print_rate(latex, running, order))
 
 
 def _list_names(equations: Sequence[str], printed: Sequence[Printed]) -> Iterator[str]:

@@ -139,7 +139,7 @@ def propose_values(
             line = f"sizes {one.letter}={size}" if size else ""
         if line:
             yield from (f"# line {one.line} says:", line)
-            said_too = (x for x in one.others if _has_letter(x, name, letters))
+            said_too = (x for x in one.others if _has_letter(x, name, letters) and "const" not in x)
             yield from (f"claim {one.letter}={other}" for other in said_too)
     if alike:
         yield "# By analogy:"
