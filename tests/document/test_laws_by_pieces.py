@@ -173,6 +173,40 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION"],
     ),
+    "a derivative between the pieces is that of the one before it": (
+        [
+            r"s=\frac{a\psi^2}{k},\quad0\le\psi\le k",
+            r"s'=\frac{2a\psi}{k}",
+            r"s''=\frac{2a}{k^2}",
+            r"s=ak,\quad\psi>k",
+            r"s'=\frac{2a\psi}{k}",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "DEFINITION", "REFUTED", "PROVED"],
+    ),
+    "a range of a ratio is one of what it grows with": (
+        [
+            r"u=\frac\psi k",
+            r"s=a u^2,\quad0\le u\le1",
+            r"s'=\frac{2a u}{k}",
+            r"s'=\frac{2a u}{k^2}",
+            r"s(k)=a",
+            r"s=a,\quad u>1",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED", "PROVED", "DEFINITION", "PROVED"],
+    ),
+    "of a letter of any sign no range is known": (
+        [r"u=\frac\psi m", r"s=a u^2,\quad0\le u\le1", r"s(0)=0", r"s'=\frac{2a u}{m}"],
+        ["DEFINITION", "DEFINITION", "not read", "DEFINITION"],
+    ),
+    "a law in a ratio, with a range of what gives it": (
+        [
+            r"u=\frac\psi k",
+            r"s=a u^2,\quad0\le\psi\le k",
+            r"s=a,\quad k\le\psi",
+            r"s=a u,\quad k\le\psi",
+        ],
+        ["DEFINITION", "DEFINITION", "DEFINITION", "not judged", "PROVED"],
+    ),
     "pieces of a law are no contradiction": (
         [r"k=m,\quad m>0", r"k=-m,\quad m<0"],
         ["DEFINITION", "DEFINITION"],
@@ -180,6 +214,9 @@ CASES = {
 }
 # Additional lines of the block of a case.
 SAID = {
+    "a derivative between the pieces is that of the one before it": "%% where 0<k\n",
+    "a range of a ratio is one of what it grows with": "%% where 0<k\n",
+    "a law in a ratio, with a range of what gives it": "%% where 0<k\n",
     "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
     "values of a law by pieces": "%% where 0<k<u\n",
     "a law with one range, and its mean": "%% where 0<k\n",

@@ -16,7 +16,7 @@ from mechproof.latex import tree
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import find_number
 from mechproof.latex.reader import Print
-from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
+from mechproof.latex.values import find_zero
 
 
 @dataclass(frozen=True)
@@ -143,13 +143,38 @@ def _note_piece(
     by, steps = known.symbols.find_steps(symbol)
     if by in steps:
         return
-    relations = read.meaning().relate(condition)
+    relations = [_show_range(one, by, known) for one in read.meaning().relate(condition)]
+    given = {s: known.settle(s) for s in value.free_symbols & known.values.keys()}
+    value = value.xreplace({s: v for s, v in given.items() if by in v.free_symbols})
     said = {letter for relation in relations for letter in relation.free_symbols}
     with_it = {x for x in said & value.free_symbols if known.symbols.find_steps(x)[0] == by}
     for letter in (by, *sorted(with_it - {*steps}, key=str)):
         if piece := read_piece(name, value, relations, letter):
             known.pieces.setdefault(symbol, []).append(piece)
             return
+
+
+def _show_range(relation: sp.Basic, by: sp.Basic, known: Known) -> sp.Basic:
+    r"""Return a bound of a letter that another gives as a bound of that: 0<=\theta/\beta.
+
+    What it grows with has to be declared to be positive.
+    """
+    letter = next((s for s in relation.free_symbols if s in known.values), None)
+    is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge) and letter in relation.args
+    value = known.settle(letter) if is_order else None
+    if not isinstance(value, sp.Expr):
+        return relation
+    slope, end = sp.diff(value, by), find_zero(relation.lhs - relation.rhs, letter)
+    positive = {
+        v.symbol: sp.Dummy(positive=True)
+        for v in known.symbols.variables
+        if v.within.is_subset(sp.Interval.open(0, sp.oo))
+    }
+    if end is None or not slope.xreplace(positive).is_positive:
+        return relation
+    point = find_zero(value - end, by)
+    order = type(relation) if relation.lhs == letter else relation.reversed.func
+    return relation if point is None else order(by, point)
 
 
 def _is_special(one: LetterAlone, known: Known) -> bool:

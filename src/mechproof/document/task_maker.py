@@ -35,6 +35,7 @@ from mechproof.document.special_cases import (
     specialise,
     split_branches,
     state_modulo,
+    stay_at_last_piece,
     stay_within_pieces,
 )
 from mechproof.document.tasks import CONSTRAINING, Role, Sign, Task
@@ -190,7 +191,9 @@ class TaskMaker:
             reason = f"nothing else is printed about {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         at = {**list_values(row, self.known), **(local or {})}
-        row, sign = self._specialise(self._restate(row, sign), sign, at)
+        order = [one.name for one in self.printed]
+        row = stay_at_last_piece(self._restate(row, sign), sign, printed.name, order, self.known)
+        row, sign = self._specialise(row, sign, at)
         number = self.numbers.state(printed, row, sign)
         if isinstance(number, str):
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
