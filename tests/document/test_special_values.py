@@ -447,6 +447,44 @@ def test_of_two_values_that_words_say_none_is_meant(words: str, outcome: str) ->
     assert rows[-1].outcome == outcome, rows[-1].reason
 
 
+QUARTER = r"h=\sqrt{b^2+c^2}"
+
+
+@pytest.mark.parametrize(
+    ("before", "latex", "behind", "outcome"),
+    [
+        (r"For $\psi=90^\circ$ this becomes", QUARTER, "", "PROVED"),
+        (r"For $\psi=\pi/2$ this becomes", QUARTER, "", "PROVED"),
+        # Words may be meant otherwise: they accuse nothing.
+        (r"For $\psi=\pi/2$ this becomes", r"h=\sqrt{b^2-c^2}", "", "not judged"),
+        (r"If the wheel is steep, $\psi=\pi/2$, we have", QUARTER, "", "PROVED"),
+        ("We have", QUARTER, r"if $\psi=\pi/2$.", "PROVED"),
+        ("We have", QUARTER, r". The angle is $\psi=\pi/2$.", "not judged"),
+        (r"For $c=b$ it is", r"h=a\cos\psi+b\sqrt{1+\sin^2\psi}", "", "PROVED"),
+        (r"For $c=b$ it is", r"h=a\cos\psi+b\sqrt{1-\sin^2\psi}", "", "not judged"),
+        (r"For $c=d=b$ it is", r"h=a\cos\psi+d\sqrt{1+\sin^2\psi}", "", "PROVED"),
+        # Two values, one that the words do not say of it, and what is said of all values.
+        (r"For $\psi=\pi/2$ or $\psi=\pi$ it is", QUARTER, "", "not judged"),
+        (r"For $\psi=\pi/2$ it is $$k=1$$ In general the lift is", QUARTER, "", "not judged"),
+        (r"With $\psi=\pi/2$ known, we have", QUARTER, "", "not judged"),
+        (r"Solve for $\psi=\pi/2$. We have", QUARTER, "", "not judged"),
+        # An equation that prints the letter is not meant for one number.
+        (r"For $k=1$ it is", r"h=ka\cos\psi+\sqrt{b^2+(c\sin\psi)^2}", "", "not judged"),
+    ],
+)
+def test_words_say_of_which_case_an_equation_is(
+    before: str, latex: str, behind: str, outcome: str
+) -> None:
+    rows = check("paper.tex", rf"{LETTERS}{before} $${latex}$$ {behind}").rows
+    assert rows[-1].outcome == outcome, rows[-1].reason
+
+
+def test_what_holds_in_a_case_proves_nothing_else() -> None:
+    text = rf"{LETTERS}For $\psi=\pi/2$ it is $${QUARTER}$$ The length is $$d^2=b^2+c^2,$$ hence"
+    rows = check("paper.tex", rf"{text} $$h=d,\qquad h^2=d^2$$").rows
+    assert [row.outcome for row in rows[2:]] == ["PROVED", "DEFINITION", "not judged", "DEFINITION"]
+
+
 @pytest.mark.parametrize(
     ("latex", "expected"),
     [(r"1+\frac{z_1}{z_2}", "PROVED"), (r"1+\frac{z_2}{z_1}", "it differs from the third member")],

@@ -33,7 +33,8 @@ OPEN = "not judged"
         ((r"#\begin{example} It has", "l=3r", "#Hence", LONG), ["DEFINITION", "PROVED"]),
         ((r"#For example, with $l=3r$", LONG), ["PROVED"]),
         ((r"#For example, with $l=3r$ it follows that", SHORT), [OPEN]),
-        ((r"#If, for example, $l=3r$", LONG), [OPEN]),
+        ((r"#If, for example, $l=3r$", LONG), ["PROVED"]),
+        ((r"#If, for example, $l=3r$", SHORT), [OPEN]),
         ((r"#For example, with $l=2r$ beside one with $l=3r$", LONG), [OPEN]),
         # After its end, only rows that hold in general are proved.
         ((HEADING, "l=3r", r"#\section{Speed} Hence", LONG), ["DEFINITION", OPEN]),

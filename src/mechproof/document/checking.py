@@ -265,20 +265,25 @@ def _compare_specially(at: Judging) -> Changes:
     "With the ring held ($n_3=0$) the ratio is" states such a value. A row that is false there, too,
     is refuted if both sides then have the same letters, as identities have.
     """
-    asked = [(n, "special") for n, task in enumerate(at.tasks) if _is_special(task, at.rows[n])]
-    for (n, _), answer in at.ask(judge_special, asked):
+    kinds = ("special", "case")
+    asked = [
+        (n, x) for n, task in enumerate(at.tasks) for x in kinds if _is_special(task, x, at, n)
+    ]
+    for (n, kind), answer in at.ask(judge_special, asked):
         task = at.tasks[n]
-        if not (isinstance(answer, Judgement) and task.special):
+        if not isinstance(answer, Judgement):
             continue
-        is_misprint = answer.verdict is Verdict.REFUTED and task.special.asserts
+        is_misprint = answer.verdict is Verdict.REFUTED and kind == "special"
+        is_misprint = is_misprint and task.special is not None and task.special.asserts
         if answer.verdict is Verdict.PROVED or (is_misprint and task.sign.role in COMPARED):
             yield n, make_row(task, answer)
 
 
-def _is_special(task: Task, row: CheckedRow) -> bool:
-    """Return whether a row is open and reads differently at the values stated nearby."""
+def _is_special(task: Task, kind: str, at: Judging, number: int) -> bool:
+    """Return whether a row is open and reads differently at the values stated beside it."""
+    row, special = at.rows[number], task.special if kind == "special" else task.case
     verdicts = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
     is_open = row.judgement and (row.judgement.rung == GIVEN or row.outcome in verdicts)
     # A row that may be another case of a definition may be the case that the words state.
     is_open = is_open or task.is_solution
-    return bool(is_open) and task.special is not None and task.special.row.says != task.row.says
+    return bool(is_open) and special is not None and special.row.says != task.row.says

@@ -26,6 +26,7 @@ from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
 from mechproof.document.numbers.size_tables import SizeTables
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
+from mechproof.document.said_cases import SaidCases
 from mechproof.document.special_cases import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
@@ -223,7 +224,8 @@ class Document:
         examples = collect_values(self.source, self.printed, self.known)
         numbers = StatedNumbers(self.known, sizes, examples)
         known, papers = self.known, self.papers
-        maker = TaskMaker(self.printed, self.block, known, papers, self.files, numbers, examples)
+        said = examples, SaidCases(self.source, self.printed, self.known)
+        maker = TaskMaker(self.printed, self.block, known, papers, self.files, numbers, *said)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):
             if isinstance(signs, Left):

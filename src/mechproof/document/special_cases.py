@@ -65,15 +65,17 @@ def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> R
     return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
 
 
-def stay_at_last_piece(row: Row, sign: Sign, name: str, order: Sequence[str], known: Known) -> Row:
+def stay_at_last_piece(
+    row: Row, sign: Sign, printed: Printed, every: Sequence[Printed], known: Known
+) -> Row:
     """Say of a derivative between the pieces of a law that it is that of the last one before.
 
-    Behind all of them, or in a range of its own, it is that of the law. `order` has the names of
-    the equations, that of the row among them.
+    Behind all of them, or in a range of its own, it is that of the law.
     """
+    order = [one.name for one in every]
     _, steps = known.symbols.find_steps(sign.letter) if sign.letter else (None, ())
     places = {order.index(piece.name): piece for s in steps for piece in known.laws.get(s, ())}
-    before = [place for place in places if place < order.index(name)]
+    before = [place for place in places if place < order.index(printed.name)]
     if sign.role is not Role.DERIVATIVE or row.on or not 0 < len(before) < len(places):
         return row
     last = places[max(before)]

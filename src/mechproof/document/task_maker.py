@@ -27,6 +27,7 @@ from mechproof.document.row_sides import (
     ties_letters,
     ties_running,
 )
+from mechproof.document.said_cases import SaidCases
 from mechproof.document.special_cases import (
     list_rates,
     list_values,
@@ -75,6 +76,7 @@ class TaskMaker:
     files: Files
     numbers: StatedNumbers
     examples: ExampleValues
+    cases: SaidCases
 
     def make(self, printed: Printed, signs: Sequence[Sign], reader: Reader) -> list[Task | Left]:
         """Make the tasks of an equation; `reader` knows the values of all letters."""
@@ -105,15 +107,12 @@ class TaskMaker:
         parts = (part for one in tied for part in split_parts(*one, self.known))
         held = dict.fromkeys(self.known.held.get(printed.name, ()), sp.S.Zero)
         parts = (
-            (
-                put_on(r, held if s.role is Role.CONSTRAINT else {}),
-                replace(s, own=own),
-            )
+            (put_on(r, held if s.role is Role.CONSTRAINT else {}), replace(s, own=own))
             for r, s in parts
         )
         tasks = ((self._prepare(printed, *part), part) for part in parts)
         zeros = list_zeros(printed, signs, self.printed, self.numbers.sizes)
-        values = zeros, self.examples.list_at(printed)
+        values = zeros, self.examples.list_at(printed), self.cases.list_at(printed, signs)
         return [self._add_special(printed, task, *part, *values) for task, part in tasks]
 
     def _add_special(
@@ -124,22 +123,25 @@ class TaskMaker:
         sign: Sign,
         zeros: Mapping[sp.Basic, sp.Expr],
         local: Mapping[sp.Basic, Any],
+        told: Mapping[sp.Basic, Any],
     ) -> Task | Left:
         """Add to a task its variant at values that nearby text or a worked example states.
 
-        Values from an example that the equation may not belong to go into a variant of their own.
+        What holds in an example that it may not belong to is kept apart, and in a case.
         """
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task
         new = {s: v for s, v in zeros.items() if self.known.met[s] and s not in task.at}
         special = {**new, **self.examples.list_within(printed)}
+        told = {s: v for s, v in told.items() if s in task.residual.free_symbols}
         made = {
             name: self._make(printed, put_on(row, values), sign, values)
-            for name, values in (("special", special), ("local", local))
+            for name, values in (("special", special), ("local", local), ("case", told))
             if values
         }
         tasks = {n: t for n, t in made.items() if isinstance(t, Task) and has_letters(t.row.says)}
-        return replace(task, special=tasks.get("special"), local=tasks.get("local"))
+        got = tasks.get
+        return replace(task, special=got("special"), local=got("local"), case=got("case"))
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
         """Make a task of a row, with one for each other print or chain member to compare with."""
@@ -191,8 +193,7 @@ class TaskMaker:
             reason = f"nothing else is printed about {sign.letter}"
             return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, reason)
         at = {**list_values(row, self.known), **(local or {})}
-        order = [one.name for one in self.printed]
-        row = stay_at_last_piece(self._restate(row, sign), sign, printed.name, order, self.known)
+        row = stay_at_last_piece(self._restate(row, sign), sign, printed, self.printed, self.known)
         row, sign = self._specialise(row, sign, at)
         number = self.numbers.state(printed, row, sign)
         if isinstance(number, str):

@@ -99,24 +99,25 @@ class Sign:
 class Task:
     """A row to be judged: its place, its sign, and the paper that it is judged in.
 
-    `asserts` says whether its sides are claimed to be equal, `is_claimed` whether the block claims
-    it. `residual` is their difference with the values of letters put in, `rates` are its
-    derivatives. `is_either` marks a constraint that may be meant as an identity: both sides have
-    the same letters, and the block does not say which it is. `is_solution` marks a later print of a
-    letter that may be another solution, or an inequality that may be about another case. `others`
-    compare the same print with further members of its first chain. `follows` names the equations
-    that the block says it follows from. `is_loose` is true if a letter that no other equation has
-    can make it true; `ties_running` if it has a letter that others depend on but none of those: if
-    it is to hold for all values, a letter must depend on that one without being declared to.
-    `is_case` is true if preceding words may announce another case, or the block says that it is a
-    constraint; `is_excused` is true also if a side has a letter that no other equation has, so that
-    it may say something new. `said` is the announcement before it, `at` the values that its
-    condition gives letters, and `special` the row at those and the values that preceding words
-    give. `anew` has the values of letters and derivatives if it is another case, None for no value.
-    `is_given` says whether the block calls it a constraint. `local` is the row at the values that
-    worked examples print, which may not be meant here. `rests_on` has the name of an equation that
-    must be proved for it, and the reason that is given otherwise. `lacking` is the reason why
-    dimensions are not compared; `mixed` is a part that mixes them.
+    `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
+    `residual` is their difference, the values of letters put in, `rates` are its derivatives.
+    `is_either` tells a constraint that may also be meant as an identity: both sides have the same
+    letters, and the block does not say which it is. `is_solution` tells a later print of a letter
+    that may be another solution, or an inequality that may be said of another case. `others`
+    compare the same print with further members of the chain that it is compared with.
+    `follows` names what the block says that it follows from. `is_loose`
+    tells that a letter that no other equation has makes it true, whatever the others are;
+    `ties_running` that it has a letter on which others depend and none of those: if it holds for
+    all values, a letter depends on it of which that is not said. `is_case` tells that words before
+    it may announce another case, or that the block says it to be a constraint, `is_excused` also
+    that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
+    `said` is what words before it announce, `at` are the values of letters that a condition beside
+    it says, `special` is the row at those that words before it say, too. `anew` are the values of
+    letters and derivatives if it is another case; None for one without a value then. `is_given`
+    tells that the block says it to be a constraint. `local` is the row at the values that worked
+    examples print of letters, which may not be meant here. `case` is the row at those that words
+    around it say of a case, where it may be proved. `rests_on` names an equation that has to
+    be proved for it, and what is said otherwise.
     """
 
     row: Row
@@ -141,6 +142,7 @@ class Task:
     anew: Mapping[sp.Basic, Any] = field(default_factory=dict)
     is_given: bool = False
     local: Task | None = None
+    case: Task | None = None
     rests_on: tuple[str, str] = ("", "")
     lacking: str = ""
     mixed: tuple[sp.Expr, Paper] | None = None

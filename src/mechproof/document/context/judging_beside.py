@@ -48,14 +48,16 @@ def judge_beside(
     `letters` are kept as printed, whatever defines them.
     """
     before = [tasks[other] for other in list_applicable(others, number, tasks)]
-    answer = None
-    for task in filter(None, (tasks[number], tasks[number].special)):
+    answer, own = None, tasks[number]
+    for task in filter(None, (own, own.special, own.case)):
         rows = [list_entries(t, letters) if letters else [t] for t in (task, *before)]
         entries, given = rows[0], [*chain(*rows[1:])]
         if task.residual is None:
             entries = list_all_entries(task, letters)
         found = _find_consequence_of_entries(entries, given) if given else None
-        answer = _replace(task, *found) if found else answer
+        # What words say of a case accuses nothing.
+        is_told = found and (task is not own.case or found[0] is Verdict.PROVED)
+        answer = _replace(task, *found) if found and is_told else answer
         if answer and answer.verdict is Verdict.PROVED:
             break
     return answer

@@ -1,0 +1,90 @@
+r"""Values that the words around an equation say of letters for one case: for $a=b$ it becomes.
+
+They may prove what is printed of the case. They accuse nothing: it may be meant otherwise.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.document.known import Known, Values
+from mechproof.document.tasks import Sign
+from mechproof.nomenclature.inline import DISPLAY, Inline, find_inline
+from mechproof.nomenclature.said_relations import read_relations
+from mechproof.sources.displays import Printed
+from mechproof.sources.paper_files import Source
+
+# Words of a case in the sentence before a formula; behind a display they may be the first ones.
+_CASE = re.compile(
+    r"(?<!solved )(?<!solve )\b(?:for|if|when|in the case)\b[^.;:]*\Z", re.IGNORECASE
+)
+_BEHIND = re.compile(r"[\s.,;]*(?:if|for|when|provided(?:\s+that)?)\s+\Z")
+
+
+@dataclass(frozen=True)
+class SaidCase:
+    """What is said of a letter, where in the text, and of what display it is said if behind it."""
+
+    letter: sp.Basic
+    value: sp.Expr
+    place: int
+    display: tuple[int, int] | None
+
+
+class SaidCases:
+    """The cases of which the words of a paper speak, in their order."""
+
+    def __init__(self, source: Source, printed: Sequence[Printed], known: Known) -> None:
+        """Find what sentences say that letters are in a case."""
+        self.printed, self.known = printed, known
+        self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
+        self.displays = [match.span() for match in DISPLAY.finditer(source.text.string)]
+        self.text = source.text.string
+        names = {name: v.symbol for v in known.symbols.variables for name in v.latex}
+        self.found = [case for one in find_inline(source, names) for case in self._read(one)]
+
+    def _read(self, one: Inline) -> Iterator[SaidCase]:
+        place = self.order[one.offset]
+        span = next((x for x in reversed(self.displays) if x[1] <= place), None)
+        words = self.text[span[1] if span else 0 : place]
+        is_behind = bool(span and _BEHIND.fullmatch(words))
+        is_angle = one.number is not None and one.unit in ("", "rad", "deg")
+        if not (is_behind or _CASE.search(words)) or not (one.number is None or is_angle):
+            return
+        try:
+            (relation,) = read_relations(f"{one.letter}={one.value}", self.known.symbols.reader())
+            letter, value = relation.args
+        except ValueError:
+            return
+        is_value = isinstance(letter, sp.Symbol) and isinstance(value, sp.Expr)
+        if is_value and letter not in {*self.known.values, *value.free_symbols}:
+            yield SaidCase(letter, value, place, span if is_behind else None)
+
+    def list_at(self, printed: Printed, signs: Sequence[Sign]) -> Values:
+        """Return the values said of letters around an equation, of each letter just one.
+
+        Zeros before it are found elsewhere. An equation that prints a letter is not meant for a
+        number that it has in one case.
+        """
+        if printed.announced.is_general:
+            return {}
+        place, scope = self._find_place(printed), printed.announced.scope
+        before = self.printed[: self.printed.index(printed)]
+        last = next((x for x in reversed(before) if x.announced.scope != scope), None)
+        first = self._find_place(last) if last else -1
+        met = {letter for sign in signs for letter in sign.printed}
+        said: dict[sp.Basic, set[sp.Expr]] = {}
+        for one in self.found:
+            is_before = one.display is None and first < one.place < place and one.value != 0
+            is_behind = one.display is not None and one.display[0] <= place < one.display[1]
+            if is_before or is_behind:
+                said.setdefault(one.letter, set()).add(one.value)
+        values = {s: next(iter(ones)) for s, ones in said.items() if len(ones) == 1}
+        return {s: v for s, v in values.items() if v.free_symbols or s not in met}
+
+    def _find_place(self, printed: Printed) -> int:
+        return self.order.get(printed.latex.offsets[printed.taken], -1)
