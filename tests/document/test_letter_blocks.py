@@ -217,6 +217,14 @@ def test_what_counts_may_be_given_by_what_counts(value: str, found: list[str]) -
     assert outcomes(*equations, block=block) == found
 
 
+def test_what_is_given_by_counts_stands_in_chains_and_sums() -> None:
+    block = "%% N : pins\n%% natural N\n%% z ; q : lobes\n%% natural z\n%% let z=N-1\n"
+    equations = (r"q=\frac xy=-z=1-N", r"\sum_{k=1}^zk=\frac{N(N-1)}2")
+    wrong = r"\sum_{k=1}^zk=\frac{N(N+1)}2"
+    found = outcomes(*equations, wrong, block=block)
+    assert found == ["DEFINITION", "not judged", "PROVED", "PROVED", "REFUTED"]
+
+
 FAULTS = {
     "m : number\n%% integer m\n%% let m=r/2": "m counts, but this is not seen to be whole",
     "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",

@@ -131,9 +131,11 @@ class Symbols:
         variables, where = [], [*self.where]
         for v in self.variables:
             value = given.get(v.symbol)
-            if value is not None and v.within is not sp.S.Reals:
+            # What counts is given by what counts.
+            is_free = value is None or v.symbol.is_integer
+            if not is_free and v.within is not sp.S.Reals:
                 where.append(v.within.as_relational(v.symbol))
-            within = v.within if value is None else sp.S.Reals
+            within = v.within if is_free else sp.S.Reals
             unit = v.dimension if with_units else NUMBER
             variables.append(replace(v, given=value, within=within, dimension=unit))
         return Paper(system, "", tuple(variables), (), tuple(where), usual=self.usual)
