@@ -46,6 +46,10 @@ from small_papers import draft
         (r"$$x_0=\sum_{k=1}^nx_k$$", ["x_{0} :", "x_{i}(i) :"], []),
         (r"$$y=\sum_{k=0}^nx_k,\quad x_0=b$$", ["x_{i}(i) :"], ["x_{0} :"]),
         (r"$$b=h_{o,\mathrm{id}}$$", [r"h_{o,\mathrm{id}} :"], []),
+        # Members without a common letter, if nothing gives their letters.
+        (r"$$k=\frac pq=-\frac ab$$", ["# constraint display 1"], ["constraint display 1"]),
+        (r"$$k=\frac pq=-\frac{a}{p}$$", [], ["# constraint display 1"]),
+        (r"$$p=ac$$ $$k=\frac pq=-\frac ab$$", [], ["# constraint display 2"]),
         # Words.
         (r"the ratio of the speed $n$ to it $$y=2n$$", ["n : speed"], ["n : ratio of the speed"]),
         (r"\begin{tabular}{ll}$b$ & 80.5 \\\end{tabular} $$y=2b$$", [], ["b : 80.5"]),

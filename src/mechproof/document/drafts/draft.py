@@ -15,6 +15,7 @@ from mechproof.document.drafts import drafted_lines
 from mechproof.document.drafts.said_values import (
     ask_extremes,
     ask_functions,
+    ask_givens,
     ask_places,
     ask_what_follows,
     find_extremes,
@@ -97,6 +98,7 @@ def draft_block(source: Source) -> str:
         *find_extremes(source, running),
         *ask_extremes(displays, running),
         *ask_places(source, displays, running),
+        *ask_givens(displays, inline),
         *drafted_lines.ask_zeros(displays),
         *drafted_lines.write_factors(factors, entries, prints),
         *ask_functions(places, running),

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from mechproof.document.example_values import find_example
 from mechproof.nomenclature.inline import (
@@ -23,7 +24,7 @@ from mechproof.nomenclature.inline import (
     say_of_others,
 )
 from mechproof.nomenclature.said import Said
-from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
 from mechproof.sources.displays import Printed
 from mechproof.sources.paper_files import Source
 
@@ -82,7 +83,8 @@ _NAMED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_\{?\s*(?:\\mathrm\s*\{\s*|\\)?(?P<kind>max|min)\s*\}*(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
 )
-# A letter with an index, and words that say at which place it is the value of the letter.
+_EQUALS = re.compile(r"=(?![^{}]*\})")
+# A letter with an index, and words that tell at which place it is the value of the letter.
 _INDEXED = re.compile(
     r"\s*&?(?P<stem>[^_=&]+)_(?:\w|\{[^{}]*(?:\{[^{}]*\})?[^{}]*\})(?P<primes>'*)"
     r"\s*&?=\s*(?P<value>[^=]+)"
@@ -232,6 +234,23 @@ def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Ite
             which = "largest" if said["kind"] == "max" else "least"
             yield f"# {display.name}: is that the {which} value of {letter} over all {by}?"
             yield rf"# claim \{said['kind']}_{{{by}}}{letter}={value}"
+
+
+def ask_givens(displays: Sequence[Printed], inline: Sequence[tuple[str, Inline]]) -> Iterator[str]:
+    r"""Yield chains whose members have no letter in common, as i=n_1/n_2=z_2/z_1 has.
+
+    No letter of these is given elsewhere, so that nothing printed makes them equal.
+    """
+    prints = [one.latex.string for one in displays]
+    given = {name for name, _ in inline}
+    given |= {name_symbol(latex.partition("=")[0].strip(" &\n")) for latex in prints}
+    for display in displays:
+        _, *members = _EQUALS.split(display.latex.string)
+        found = [{*map(name_symbol, collect_letters([x], guess=True).letters)} for x in members]
+        pairs = ((one, other) for one, other in pairwise(found) if one and other)
+        if any(not one & other and not (one | other) & given for one, other in pairs):
+            yield f"# {display.name}: its members have other letters. Is that given, not derived?"
+            yield f"# constraint {display.name.partition(',')[0]}"
 
 
 def ask_places(
