@@ -64,7 +64,7 @@ def test_an_assumption_that_does_not_hold_is_found_out() -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["x+y", "--where", "0<x<1"], "--where gives no number that is <= y"),
+        (["x+y", "--where", "0<x<1"], "--where gives no number <= y"),
         ([r"\frac13+\sqrt2"], "it has no letters, so there is no box to bound it over"),
         (["x+y", "--where", "0<x<y", "--where", "0<y<1"], "must be a range of one letter"),
         (["x<1", "--where", "0<x<1", "--tolerance", "2"], "--tolerance 2"),

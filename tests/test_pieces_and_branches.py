@@ -173,7 +173,7 @@ def test_what_has_no_operation_is_a_row_of_verify(tmp_path: Path) -> None:
     told = " ".join(rows[-1]["reason"].split())
     assert "quantity velocity_ratio: no operation for zeta" in told
     assert "or leave them out to have no kernel" in told
-    assert "kernel velocity_ratio is UNDECIDED, only what is proved is shipped" in done.output
+    assert "kernel velocity_ratio is UNDECIDED, but only proved rows are shipped" in done.output
     refused = run("emit", "c", "--derivations", str(tmp_path), "--out", str(tmp_path / "c"))
     assert refused.exit_code == 1
     assert not (tmp_path / "c").exists()

@@ -227,9 +227,9 @@ def test_what_is_given_by_counts_stands_in_chains_and_sums() -> None:
 
 FAULTS = {
     "m : number\n%% integer m\n%% let m=r/2": "m counts, but this is not seen to be whole",
-    "factor x ; factor y": "a line has one word: 'factor y' needs a line of its own",
-    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs a line of its own",
-    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, no condition: say constraint \(…\)",
+    "factor x ; factor y": "a line has one word: 'factor y' needs its own line",
+    "natural n ; claim x=y": "a line has one word: 'claim x=y' needs its own line",
+    "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, not a condition: declare its display",
     r"let x=\begin{pmatrix}r\\r\end{pmatrix}": "it is a matrix, so declare its size: x 2x1",
     "where x=y": "x=y is a value, not a condition: declare let x=y",
 }

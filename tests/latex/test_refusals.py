@@ -59,7 +59,7 @@ REFUSED = [
     ("x^{*2}", "^{*2}", "declared, but not with a star", "x^*"),
     (r"\left(\frac xa\right)_{\max}=1", r"_{\max}=1", "at which place", r"\text{ at }x=0"),
     (r"(x+a)_0=1\text{ for }k=0", r"_0=1\text{ for }k=0", "at which place", r"\max_x(…)"),
-    (r"\arctan(x,y)", r"\arctan(x,y)", "which of them is above", "atan2"),
+    (r"\arctan(x,y)", r"\arctan(x,y)", "which of them is the numerator", "atan2"),
     (r"\vecr x", r"\vecr x", "has no meaning here", r"\newcommand{\vecr}"),
     (r"\log x", r"\log x", "not the same everywhere", "functions"),
     (r"\arcctg x", r"\arcctg x", "not the same everywhere", "functions"),

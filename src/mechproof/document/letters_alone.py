@@ -17,6 +17,7 @@ from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import find_number
 from mechproof.latex.reader import Print
 from mechproof.latex.values import find_zero
+from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
 
 
 @dataclass(frozen=True)

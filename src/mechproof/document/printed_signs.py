@@ -47,9 +47,11 @@ def give_values(text: str, known: Known) -> None:
             raise ValueError(f"let: {text}: a value is written letter=expression")
         symbol, value = relation.args
         if symbol in known.values or symbol in known.settle(value).free_symbols:
-            raise ValueError(f"let: {text}: it has a value already, or is given by itself")
+            raise ValueError(f"let: {text}: it already has a value, or is defined by itself")
         if symbol.is_integer and not known.settle(value).is_integer:
-            raise ValueError(f"let: {text}: {symbol} counts, but this is not seen to be whole")
+            raise ValueError(
+                f"let: {text}: {symbol} is a whole number, but this is not shown to be one"
+            )
         if isinstance(value, sp.MatrixBase) and isinstance(symbol, sp.Symbol):
             size = "x".join(map(str, value.shape))
             raise ValueError(f"let: {text}: it is a matrix, so declare its size: {symbol} {size}")

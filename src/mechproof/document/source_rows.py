@@ -54,7 +54,7 @@ from mechproof.tools.processes import limit_time
 T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
-_MEMBER = ", a member of a family: declare it as a letter of its own"
+_MEMBER = ", a member of a family: declare it as a separate letter"
 UNFIT = "numbers and matrices do not fit together here, or values of letters cannot be put in"
 # Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)

@@ -90,7 +90,7 @@ def read_repeated(parser: Parser) -> tree.Node:
         )
     ranges, high = _read_below(parser)
     if high is None and parser.text != "^":
-        raise parser.refuse(f"a {name} without upper limit", rf"Print \{name}_{{k=1}}^n.")
+        raise parser.refuse(f"a {name} without an upper limit", rf"Print \{name}_{{k=1}}^n.")
     high = high or parser.read_script("^")
     names = [one.index.text for one in ranges]
     parser.bound += names

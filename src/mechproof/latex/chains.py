@@ -93,7 +93,7 @@ def _refuse_rest(parser: Parser) -> Exception:
 def _read_parts(parser: Parser, before: Sequence[ChainPart]) -> list[ChainPart]:
     """Read what follows a comma or a gap: a chain, or conditions that are marked as such.
 
-    A wide gap separates an equation from inequalities before it; any other may be part of a product.
+    A wide gap separates an equation from inequalities before it; others may be part of a product.
     """
     if _skip_membership(parser):
         return []

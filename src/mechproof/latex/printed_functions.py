@@ -60,13 +60,13 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.Min: ("min",),
 }
 FUNCTIONS: Mapping[str, Make] = {name: make for make, names in _SPELLINGS.items() for name in names}
-OF_MATRICES = ("det", "tr", "Tr", "inv")
-# Functions that the range tells of which the name is not enough.
+OF_MATRICES = ("det", "tr", "Tr", "inv", "exp")
+# Functions told apart by their range, since the name alone is ambiguous.
 RANGES: Mapping[str, Make] = {
     r"(0,\pi)": lambda x: sp.pi / 2 - sp.atan(x),
     r"(-\pi/2,\pi/2)": lambda x: sp.atan(1 / x),
 }
-# Functions that mean different things in different places, what is unclear, and what may be said.
+# Functions whose meaning varies from paper to paper, what is unclear about them, and the choices.
 _RANGE = ("its range", " or is ".join(RANGES))
 AMBIGUOUS = {
     "log": ("its base (10, e, 2)", r"\lg, \ln or \lb"),

@@ -39,11 +39,13 @@ _LETTERS = frozenset("ACFHKLSTVl")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It stands for two equations: print them one by one."),
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
-    r"\partial": r"Print \frac{\partial …}{\partial x}, x a letter.",
-    r"\nabla": "A derivative needs a name of its own.",
-    r"\propto": "Print an equation with the factor.",
-    **dict.fromkeys((r"\ll", r"\gg"), r"Leave it out beside \approx, of which no size is judged."),
-    r"\leftarrow": "Leave out what an arrow points at.",
+    r"\partial": r"Print \frac{\partial …}{\partial x} with a letter x.",
+    r"\nabla": "Give the derivative a name of its own.",
+    r"\propto": "Print an equation with the factor of proportionality.",
+    **dict.fromkeys(
+        (r"\ll", r"\gg"), r"Leave it out next to \approx, where no sizes are compared."
+    ),
+    r"\leftarrow": "Leave out the arrow and what it points at.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",

@@ -49,11 +49,11 @@ _NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
 # A bracket, and contents that are arguments: one letter, or several parts.
 _BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
 _ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
-# What nobody multiplies by, but a place at which a letter has a value: x(0), i(\pi).
+# Contents of a bracket that nobody multiplies by: a place where a letter has a value, x(0), i(\pi).
 _PLACE = re.compile(
     r"(?:[-+\s\d/]|\\pi(?![A-Za-z])|\\infty(?![A-Za-z]))*(?:0|\\pi|\\infty)[\s\d/]*"
 )
-# A power of e that is not the square, say, of a length e.
+# A power of e other than a number, which may be a power of a length e.
 _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
 # Signs after the first value of an index.
 _RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
@@ -67,7 +67,7 @@ _NO_LETTER = {
 INDICES = "ijklmn"
 # The lower limit of a sum that begins with 0.
 _FROM_ZERO = re.compile(r"=\s*0\s*\}\s*\^")
-# Signs of an increment where they stand alone, and so are letters.
+# Signs of an increment where they are alone, and so are letters.
 _INCREMENTS = {
     sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
     for sign in (r"\delta", r"\Delta")
@@ -175,11 +175,19 @@ def collect_letters(
     return Collected(kept, factors, guesses.functions, unread, guessed, imaginary, [*families])
 
 
+def _mark_transposed(latex: str, tables: Collection[str]) -> str:
+    """Print the T above letters of printed matrices upright: it is no exponent."""
+    return _RAISED_T.sub(
+        lambda found: (
+            rf"{found['letter']}^{{\mathrm{{T}}}}"
+            if name_symbol(found["letter"]) in tables
+            else found[0]
+        ),
+        latex,
+    )
+
+
 def _find_families(displays: Sequence[Collection[str]], prints: Sequence[str]) -> dict[str, str]:
-    """Return families, and what their members are printed like, as a pattern without braces.
-
-
-def _find_families(displays: Sequence[Collection[str]]) -> dict[str, str]:
     """Return families, each with a pattern without braces that matches the prints of its members.
 
     The index of a family runs through a sum somewhere. In F_k = m_k a, all are members of families

@@ -244,8 +244,8 @@ def _refuse_matrices(letters: Collection[str], prints: Iterable[str]) -> None:
     for letter, shown in find_possible_matrices(letters, prints):
         name = next(latex for latex in letters if name_symbol(latex) == letter)
         raise ValueError(
-            rf"{name} may be a matrix, as {shown} looks: print it bold, \mathbf {name}, or say "
-            f"--name '{name}' where it is a number"
+            rf"{name} may be a matrix, as {shown} suggests: print it bold, \mathbf {name}, or "
+            f"add --name '{name}' if it is a number"
         )
 
 

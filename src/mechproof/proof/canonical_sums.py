@@ -139,7 +139,7 @@ def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Ex
         ):
             raise NotImplementedError(f"an inner sum next to other terms is not rearranged: {node}")
         return sp.Add(*inner)
-    raise NotImplementedError("a sum of what has another sum in it that is no term")
+    raise NotImplementedError("a sum whose terms contain another sum is not rearranged")
 
 
 def _canonical_term(term: sp.Expr, limits: list[Limit]) -> sp.Expr:

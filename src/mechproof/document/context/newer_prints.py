@@ -186,7 +186,7 @@ def doubt_by_cases(at: Judging) -> Changes:
             reason = f"it holds, but rests on {names}, which is {why}"
             if is_bare(tasks[others[0]]):
                 said = tasks[others[0]].row.printed_latex
-                reason = f"{reason}; if it holds here, too, add let {said} in the block of letters"
+                reason = f"{reason}; if it holds here, too, add let {said} to the block of letters"
             yield n, make_row(tasks[n], reason)
 
 
