@@ -226,7 +226,7 @@ def test_what_is_given_by_counts_stands_in_chains_and_sums() -> None:
 
 
 FAULTS = {
-    "m : number\n%% integer m\n%% let m=r/2": "m counts, but this is not seen to be whole",
+    "m : number\n%% integer m\n%% let m=r/2": "m is a whole number, which r/2 is not shown to be",
     "factor x ; factor y": "a line has one word: 'factor y' needs its own line",
     "natural n ; claim x=y": "a line has one word: 'claim x=y' needs its own line",
     "where x^2+y^2=1": r"x\^2 \+ y\^2=1 is an equation, not a condition: declare its display",

@@ -30,7 +30,7 @@ _COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
 # Functions with steps: what is changed in them may change no value at many points.
-_STEPS = (sp.floor, sp.ceiling, sp.sign)
+_STEPS = (sp.floor, sp.ceiling)
 # Changes of one print that are tried.
 MOST = 6000
 _NEAR = sp.Rational(1, 10**4)

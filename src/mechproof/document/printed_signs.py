@@ -50,7 +50,7 @@ def give_values(text: str, known: Known) -> None:
             raise ValueError(f"let: {text}: it already has a value, or is defined by itself")
         if symbol.is_integer and not known.settle(value).is_integer:
             raise ValueError(
-                f"let: {text}: {symbol} is a whole number, but this is not shown to be one"
+                f"let: {text}: {symbol} is a whole number, which {value} is not shown to be"
             )
         if isinstance(value, sp.MatrixBase) and isinstance(symbol, sp.Symbol):
             size = "x".join(map(str, value.shape))

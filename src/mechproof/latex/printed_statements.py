@@ -180,7 +180,8 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
     stated = round_to(members.nodes[1], value)
     if stated and value in row.defines:
         return Definition(value, right)
-    if stated and not value.is_Symbol and settle_all(value, reader.values).free_symbols:
+    is_open = not (row.derived or value.is_Symbol)
+    if stated and is_open and settle_all(value, reader.values).free_symbols:
         return Nearly(value, right)
     number = find_factor(members.nodes) and find_factor(members.nodes[1:])
     are_numbers = not any(is_matrix(side) for side in (value, right))
