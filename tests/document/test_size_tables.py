@@ -355,3 +355,32 @@ def test_a_column_is_compared_with_what_is_proved_of_its_letter(name: str) -> No
     assert [row.outcome for row in found] == expected, found[0].reason
     if "REFUTED" in expected:
         assert "compared with display 3" in found[-1].reason
+
+
+OFFSET = r"""%% mechproof
+%% r ; l ; e : lengths [mm] {r>0} {l>0}
+%% x : way [mm]
+%% \varphi ; \psi : angles [rad] {-\pi/2<\psi<\pi/2}
+%% sizes r=50 mm, l=160 mm, e=20 mm
+%% end
+$$r\sin\varphi-l\sin\psi=e$$
+$$x=r\cos\varphi+l\cos\psi$$
+$$x=r\cos\varphi+\sqrt{l^2-(r\sin\varphi-e)^2}$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("change", "outcomes"),
+    [
+        (("", ""), ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "PROVED"]),
+        (("183.294", "138.294"), ["DEFINITION", "DEFINITION", "PROVED", "PROVED", "REFUTED"]),
+        # Without a size of its own the letter on the right is given by the others.
+        ((", e=20 mm", ""), ["DEFINITION", "DEFINITION", "PROVED", "not judged"]),
+    ],
+)
+def test_a_letter_on_the_right_with_a_size_is_given(
+    change: tuple[str, str], outcomes: list[str]
+) -> None:
+    table = "| $\\varphi$ [°] | $x$ [mm] |\n|---|---|\n| 0 | 208.745 |\n| 60 | 183.294 |\n"
+    rows = check("paper.md", f"{OFFSET}\n{table}".replace(*change)).rows
+    assert [row.outcome for row in rows] == outcomes, [row.reason for row in rows]

@@ -156,7 +156,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         raise
     _note_arcs(read, nodes, sides, known)
     for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
-        if is_bare(node):
+        if is_bare(node) and not (node is nodes[1] and _is_input(symbol, value, known)):
             symbol = node.symbol if isinstance(node, Letter) else symbol
             alone = LetterAlone(name, read, chain, left, node, symbol, value, sides)
             return find_role_of_letter(alone, known)
@@ -173,6 +173,13 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if not (one.free_symbols and other.free_symbols):
         return Sign(Role.NUMBER, None, "", sides, *find_number(nodes, sides))
     return Sign(Role.STEP, sides=sides)
+
+
+def _is_input(symbol: sp.Basic, value: Any, known: Known) -> bool:
+    r"""Return whether a letter on the right has a size, and others have none: r\sin q-l\sin p=e."""
+    sizes = known.symbols.usual.keys()
+    is_free = symbol in sizes and symbol not in known.values
+    return is_free and bool(getattr(value, "free_symbols", set()) - sizes)
 
 
 def _find_multiplied(sides: tuple[Any, Any], known: Known) -> tuple[sp.Basic, Any] | None:
