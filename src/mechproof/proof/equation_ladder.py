@@ -49,6 +49,7 @@ from mechproof.proof.endless_sums import (
 )
 from mechproof.proof.exact_values import decide_by_separation, decide_endless
 from mechproof.proof.floors import decide_by_floors
+from mechproof.proof.fraction_sums import RUNG as PARTIAL_FRACTIONS, settle_fractions
 from mechproof.proof.induction import decide_by_induction, decide_by_quotients
 from mechproof.proof.integral_recurrences import decide_by_parts, settle_by_parts
 from mechproof.proof.integrals import (
@@ -165,6 +166,7 @@ _SETTLED = {
     PARTIAL_SUMS: settle_endless,
     KNOWN_SERIES: settle_series,
     FOURIER: settle_waves,
+    PARTIAL_FRACTIONS: settle_fractions,
 }
 
 
