@@ -59,7 +59,12 @@ PROVED = [
     (r"\int_0^\infty1000e^{-10^6(x-300)^2}dx>1", ()),
     (r"\int_0^1\frac{dx}{\sqrt x}\le2", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2}<2", ()),
-    # Floors and ceilings.
+    # Zeros at ends and between them, of any order.
+    (r"\left(\frac{\sin x}x\right)^3>\cos x", (r"0<x<\frac\pi2",)),
+    (r"\sin x>\frac{x(\pi-x)}\pi", (r"0<x<\pi",)),
+    (r"\sin x\le\frac4{\pi^2}x(\pi-x)", (r"0\le x\le\pi",)),
+    (r"\cos x\le1-\frac{4x^2}{\pi^2}", (r"|x|\le\frac\pi2",)),
+    # Of whole numbers.
     (r"\lceil x\rceil-\lfloor x\rfloor\le1", ()),
     (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor+1", ()),
     # By the values of integrals with letters.
@@ -116,6 +121,12 @@ NOT_PROVED = [
     (r"\int_0^1\frac{dx}x<2", ()),
     (r"\int_0^x\sin t\,dt>0", ()),
     (r"\int_0^\infty e^{-ax}\,dx\ge1", ("a>0",)),
+    (r"\left(\frac{\sin x}x\right)^3>\cos x+\frac{x^4}{10}", (r"0<x<\frac\pi2",)),
+    (r"\sin x>\frac{x(\pi-x)}\pi", (r"0\le x<\pi",)),
+    (r"\sin x>\frac{x(\pi-x)}\pi", (r"0<x\le\pi",)),
+    (r"\sin x<\frac4{\pi^2}x(\pi-x)", (r"0<x<\pi",)),
+    (r"\sin x\le\frac{39}{10\pi^2}x(\pi-x)", (r"0\le x\le\pi",)),
+    (r"\cos x\le1-\frac{4x^2}{\pi^2}", (r"|x|\le2",)),
     (r"\lceil x\rceil-\lfloor x\rfloor<1", ()),
     (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor", ()),
     (r"\lfloor x\rfloor\ge\frac x2-\frac12", ()),

@@ -42,6 +42,7 @@ from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.single_variable import (
     BISECTION,
     NEAR_ZERO,
+    holds_between,
     holds_near_zero,
     holds_on_interval,
 )
@@ -277,7 +278,9 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return integrand_signs.RUNG
     if holds_by_steps(slack, domain, show_sign):
         return OF_INEQUALITIES
-    return _hold_by_cases(relation, domain) or show_sign(slack, domain)
+    if found := _hold_by_cases(relation, domain) or show_sign(slack, domain):
+        return found
+    return BISECTION if holds_between(relation, domain) else None
 
 
 def _is_shown(slack: Slack, domain: Domain) -> bool:

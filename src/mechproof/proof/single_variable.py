@@ -1,9 +1,9 @@
-"""Rung: a transcendental inequality in one variable on a closed interval, by bisection.
+"""Rung: a transcendental inequality in one variable on a finite interval, by bisection.
 
-This is for a variable that appears both inside a sine (exponential, ...) and outside it. A strict
-sign is proved by balls over subintervals. Where the function vanishes at an end of the interval, or
-at 0 inside it, its sign follows from that of its derivative. This is Moore's bisection (1966), with
-the derivative where no box is small enough.
+For a variable that stands both inside a sine (exponential, ...) and outside it, or deeper inside. A
+strict sign is proved by balls over subintervals. Where the function vanishes at an end of one, the
+sign follows from that of its derivative. It is Moore's bisection (1966), with the derivative where
+no box is small enough.
 
 Bounds near zero, |f(x)| <= b*|x|**n for |x| <= r, are proved by the Taylor coefficients of f at 0.
 Those below n vanish, being rational numbers; the sum of the others and of Lagrange's remainder,
@@ -12,7 +12,8 @@ enclosed in balls over the whole range, is at most b.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
+from itertools import pairwise
 
 import sympy as sp
 from flint import arb, arb_series
@@ -21,35 +22,46 @@ from mechproof.arithmetic import balls
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.arithmetic.series import LONGEST, NAN, TaylorExpression, list_terms, working
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.sign_forms import drop_signed_factors
 from mechproof.record.parts import has_parts
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
 BISECTION = "bisection and derivatives"
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
-# Work limits: 2**7 parts of the interval, and zeros at its ends of order up to 5.
+_SMOOTH += (sp.sinh, sp.cosh, sp.tanh)
+# Work limits: 2**7 parts of the interval, 2**3 for slopes, and zeros of order up to 7.
 _HALVINGS = 7
-_ORDERS = 5
+_HALVINGS_OF_SLOPES = 3
+_ORDERS = 7
 _BITS = 128
 
-Ends = tuple[sp.Rational, sp.Rational]
+Ends = tuple[sp.Expr, sp.Expr]
 
 
 def holds_on_interval(relation: sp.Basic, domain: Domain) -> bool:
-    """Return True if an inequality in one variable of a closed interval is proved."""
-    slack = find_slack(relation)
-    if slack is None:
-        return False
-    symbols = relation.free_symbols
-    where = domain.set_of(next(iter(symbols))) if len(symbols) == 1 else None
-    if not (isinstance(where, sp.Interval) and where.start.is_Rational and where.end.is_Rational):
+    """Return True if an inequality in one variable is proved between two rational numbers."""
+    where = _find_interval(relation, domain)
+    is_rational = where is not None and where.start.is_Rational and where.end.is_Rational
+    return is_rational and holds_between(relation, domain)
+
+
+def holds_between(relation: sp.Basic, domain: Domain) -> bool:
+    """Return True if an inequality in one variable of a finite interval is proved."""
+    where, slack = _find_interval(relation, domain), find_slack(relation)
+    if where is None or slack is None:
         return False
     if not (_is_smooth(slack.value) and _is_mixed(slack.value)):
         return False
-    ends = sp.Rational(where.start), sp.Rational(where.end)
-    if slack.strict:
-        return _is_positive(slack.value, ends)
-    return _is_not_negative(slack.value, ends, _ORDERS)
+    closed = [end for end in (where.start, where.end) if end in where]
+    forms = dict.fromkeys([slack.value, drop_signed_factors(slack.value, domain)])
+    return any(_holds(form, where.args[:2], slack.strict, closed) for form in forms)
+
+
+def _find_interval(relation: sp.Basic, domain: Domain) -> sp.Interval | None:
+    symbols = relation.free_symbols
+    where = domain.set_of(next(iter(symbols))) if len(symbols) == 1 else None
+    return where if isinstance(where, sp.Interval) and where.measure.is_finite else None
 
 
 def _is_smooth(expression: sp.Expr) -> bool:
@@ -65,61 +77,74 @@ def _is_smooth(expression: sp.Expr) -> bool:
 
 def _is_mixed(expression: sp.Expr) -> bool:
     """Return whether the variable appears both inside a function and outside all of them."""
-    named = {f: sp.Dummy() for f in expression.atoms(sp.Function)}
+    functions = expression.atoms(sp.Function)
+    if any(other.has(f) for f in functions for other in functions if other != f):
+        return True
+    named = {f: sp.Dummy() for f in functions}
     return expression.has(*named) and not expression.free_symbols.isdisjoint(
         expression.xreplace(named).free_symbols
     )
 
 
-def _is_not_negative(f: sp.Expr, ends: Ends, orders: int) -> bool:
-    if _is_positive(f, ends):
-        return True
+def _holds(f: sp.Expr, ends: Ends, strict: bool, closed: Sequence[sp.Expr]) -> bool:
+    """Tell whether f is positive, or not negative, between two ends and at those that are given."""
+    if strict and not all(_enclose(f, (end, end)) > 0 for end in closed):
+        return False
     low, high = ends
-    if low < 0 < high:
-        halves = ((low, sp.Integer(0)), (sp.Integer(0), high))
-        return all(_is_not_negative(f, half, orders) for half in halves)
-    if orders == 0 or not _is_finite(f, ends):
+    cuts = [low, sp.S.Zero, high] if (low < 0) == sp.true and (high > 0) == sp.true else [*ends]
+    if strict and len(cuts) > 2 and not _enclose(f, (cuts[1], cuts[1])) > 0:
         return False
-    (variable,) = f.free_symbols or {sp.Dummy()}
-    slope = sp.diff(f, variable)
-    return any(
-        _vanishes(f, variable, end) and _is_not_negative(direction * slope, ends, orders - 1)
-        for end, direction in ((low, 1), (high, -1))
-    )
+    return all(_is_above(f, part, strict, _ORDERS, _HALVINGS) for part in pairwise(cuts))
 
 
-def _vanishes(f: sp.Expr, variable: sp.Symbol, end: sp.Rational) -> bool:
-    nothing = Domain({}, (), {})
-    return decide_equal(f.subs(variable, end), sp.Integer(0), nothing) is not None
-
-
-def _is_positive(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
-    ball = _enclose(f, ends)
-    if ball > 0:
+def _is_above(f: sp.Expr, ends: Ends, strict: bool, orders: int, halvings: int) -> bool:
+    """Tell whether f is positive between two ends, or is zero in single places if it may be."""
+    if _enclose(f, ends) > 0:
         return True
-    # Cutting the interval does not help if the value at an end is not positive.
-    if halvings == 0 or any(_enclose(f, (end, end)) <= 0 for end in ends):
+    if any(_enclose(f, (end, end)) < 0 for end in ends):
         return False
-    return all(_is_positive(f, half, halvings - 1) for half in _halve(ends))
+    if orders and _is_above_by_slope(f, ends, orders, halvings):
+        return True
+    middle = (ends[0] + ends[1]) / 2
+    there = _enclose(f, (middle, middle))
+    if halvings == 0 or (not there > 0 and (strict or not _vanishes(f, middle))):
+        return False
+    halves = pairwise((ends[0], middle, ends[1]))
+    return all(_is_above(f, half, strict, orders, halvings - 1) for half in halves)
 
 
-def _is_finite(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
+def _is_above_by_slope(f: sp.Expr, ends: Ends, orders: int, halvings: int) -> bool:
+    """Tell whether f is not negative at an end, and grows from there."""
+    turns = zip(ends, (1, -1), strict=True)
+    rising = [t for end, t in turns if _vanishes(f, end) or _enclose(f, (end, end)) > 0]
+    if not f.free_symbols or not rising or not _is_finite(f, ends, halvings):
+        return False
+    slope = sp.diff(f, *f.free_symbols)
+    fewer = min(halvings, _HALVINGS_OF_SLOPES)
+    return any(_is_above(turn * slope, ends, False, orders - 1, fewer) for turn in rising)
+
+
+def _vanishes(f: sp.Expr, place: sp.Expr) -> bool:
+    if not _enclose(f, (place, place)).contains(0):
+        return False
+    at = f.subs(dict.fromkeys(f.free_symbols, place))
+    return decide_equal(at, sp.Integer(0), Domain({}, (), {})) is not None
+
+
+def _is_finite(f: sp.Expr, ends: Ends, halvings: int) -> bool:
     if _enclose(f, ends).is_finite():
         return True
-    return halvings > 0 and all(_is_finite(f, half, halvings - 1) for half in _halve(ends))
+    middle = (ends[0] + ends[1]) / 2
+    halves = pairwise((ends[0], middle, ends[1]))
+    return halvings > 0 and all(_is_finite(f, half, halvings - 1) for half in halves)
 
 
 def _enclose(f: sp.Expr, ends: Ends) -> balls.Ball:
     """Enclose the values over a closed interval."""
     with balls.working_precision(_BITS):
-        between = balls.to_ball(ends[0]).union(balls.to_ball(ends[1]))
+        low, high = (balls.evaluate(end, {}, _BITS) for end in ends)
+        between = low.union(high)
     return balls.evaluate(f, dict.fromkeys(f.free_symbols, between), _BITS)
-
-
-def _halve(ends: Ends) -> Iterator[Ends]:
-    middle = (ends[0] + ends[1]) / 2
-    yield ends[0], middle
-    yield middle, ends[1]
 
 
 NEAR_ZERO = "Taylor series with its remainder in balls"
