@@ -46,6 +46,7 @@ from mechproof.proof.single_variable import (
     holds_near_zero,
     holds_on_interval,
 )
+from mechproof.proof.split_ranges import prove_on_parts
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
 from mechproof.record import (
@@ -280,7 +281,9 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return OF_INEQUALITIES
     if found := _hold_by_cases(relation, domain) or show_sign(slack, domain):
         return found
-    return BISECTION if holds_between(relation, domain) else None
+    if holds_between(relation, domain):
+        return BISECTION
+    return prove_on_parts(relation, domain, prove_relation)
 
 
 def _is_shown(slack: Slack, domain: Domain) -> bool:
