@@ -1,4 +1,4 @@
-"""Sums and products without end of fractions, alone and times waves, each beside a wrong one."""
+"""Sums of fractions without end, and of waves, and products, each beside a wrong one."""
 
 from __future__ import annotations
 
@@ -50,6 +50,14 @@ PAIRS = [
     (r"\sum_{n=1}^\infty\frac1{n(2n+1)}=%s-2\ln2", "2", "1", ()),
     (r"\sum_{n=1}^\infty\frac1{n^2(n+1)^2}=\frac{\pi^2}3-%s", "3", "2", ()),
     (r"\sum_{n=2}^\infty\frac{(-1)^n}{(n-1)^2n}=\frac{\pi^2}{12}+1-%s\ln2", "2", "3", ()),
+    # Waves times binomial coefficients.
+    (
+        r"\sum_{k=0}^n\binom nk\cos kx=2^n\cos^n\frac x2\cos\frac{nx}%s",
+        *("2", "1"),
+        (),
+    ),
+    (r"\sum_{k=%s}^n\binom nk\sin(kx+a)=2^n\cos^n\frac x2\sin(\frac{nx}2+a)", "0", "1", ()),
+    (r"\sum_{k=0}^n(-1)^k\binom nk\cos2kx=%s^n\sin^nx\cos(nx+\frac{n\pi}2)", "(-2)", "2", ()),
     # Products.
     (r"\sin x=x\prod_{n=1}^\infty\left(1-\frac{x^2}{n^2%s}\right)", r"\pi^2", r"\pi", ()),
     (r"\sinh x=x\prod_{n=1}^\infty\left(1%s\frac{x^2}{n^2\pi^2}\right)", "+", "-", ()),

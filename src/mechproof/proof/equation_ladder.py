@@ -74,7 +74,7 @@ from mechproof.proof.reasons import (
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.wave_sums import FOURIER, decide_by_steps, settle_waves
+from mechproof.proof.wave_sums import FOURIER, decide_by_binomials, decide_by_steps, settle_waves
 from mechproof.proof.witness_text import clip
 from mechproof.record import DerivativeWhere, Slack
 from mechproof.record.parts import ENDLESS, find_parts, has_parts
@@ -122,6 +122,7 @@ def prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | Non
     found = found or decide_by_antiderivative(*sides, domain, prove_equal)
     found = found or decide_by_parts(*sides, domain, prove_equal)
     found = found or decide_by_steps(*sides, domain, prove_equal)
+    found = found or decide_by_binomials(*sides, domain, prove_equal)
     found = found or decide_by_values(sides, domain, prove_equal)
     found = found or decide_from_zero_end(sides, domain, prove_equal)
     found = found or _prove_by_cases(sides, domain)

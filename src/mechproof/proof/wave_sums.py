@@ -1,8 +1,10 @@
 """Rungs: sums of sines and cosines whose angles rise by equal steps, 2*pi/n for n planets.
 
-With step d not a multiple of 2*pi, the sum of cos(c + k*d) from p to q is
-(sin(c + (q + 1/2)*d) - sin(c + (p - 1/2)*d))/(2*sin(d/2)), as each term is such a difference. A
-product of n sines with step pi/n is the sine of n times the first angle, divided by 2**(n - 1).
+With d the step, the sum of cos(c + k*d) from p to q is sin(c + (q + 1/2)*d) - sin(c + (p - 1/2)*d)
+divided by 2*sin(d/2), as each term is such a difference; where d/2 is no multiple of pi. A product
+of n sines with the step pi/n is that of n times the first angle, divided by 2**(n - 1). With
+binomial coefficients the sum of cos(c + k*d) from 0 to n is (2*cos(d/2))**n*cos(c + n*d/2), the
+real part of exp(i*c)*(1 + exp(i*d))**n.
 
 Infinite sums: Fourier series of all, or of all odd, multiples m of an angle, divided by powers of
 m. Alternating signs shift the angle by pi, or pi/2: (-1)**m*sin(m*u) is sin(m*(u + pi)). With
@@ -29,6 +31,7 @@ from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "angles that rise by the same step"
+BINOMIALS = "binomial sum of waves"
 # Work limits: first numbers that are checked one by one, and operations of a term.
 _MOST_ALONE = 4
 _LARGEST = 40
@@ -55,6 +58,37 @@ def decide_by_steps(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove)
             rest = prove(*(side.xreplace(values) for side in sides), later)
             return f"{RUNG}, {rest}" if rest else None
     return None
+
+
+def decide_by_binomials(left: sp.Expr, right: sp.Expr, domain: Domain, prove: Prove) -> str | None:
+    """Return the rungs if left = right is proved with the values of binomial sums of waves."""
+    sides = (domain.resolve(left), domain.resolve(right))
+    sums = {total for side in sides for total in side.atoms(sp.Sum)}
+    values = {total: value for total in sums if (value := _add_binomials(total)) is not None}
+    if not values:
+        return None
+    rest = prove(*(side.xreplace(values) for side in sides), domain)
+    return f"{BINOMIALS}, {rest}" if rest else None
+
+
+def _add_binomials(total: sp.Sum) -> sp.Expr | None:
+    """Return a sum from 0 to n of binomial coefficients times a sine or cosine."""
+    (k, first, n), *others = total.limits
+    if others or first != 0 or not (n.is_integer and n.is_nonnegative):
+        return None
+    if total.function.count_ops() > _LARGEST:
+        return None
+    weight = sp.factorial(n) / (sp.factorial(k) * sp.factorial(n - k))
+    factor, wave = (total.function / weight).as_independent(k, as_Add=False)
+    turned = sp.powsimp(sp.expand(wave * (-1) ** k))
+    wave, turn = (turned, sp.pi) if isinstance(turned, sp.sin | sp.cos) else (wave, 0)
+    if not isinstance(wave, sp.sin | sp.cos):
+        return None
+    (angle,), step = wave.args, sp.diff(wave.args[0], k)
+    if step.has(k):
+        return None
+    half = (step + turn) / 2
+    return factor * (2 * sp.cos(half)) ** n * wave.func(angle.subs(k, 0) + n * half)
 
 
 def _list_counts(total: sp.Sum | sp.Product) -> set[sp.Symbol]:
