@@ -74,6 +74,14 @@ PROVED = [
     # Of whole numbers.
     (r"\lceil x\rceil-\lfloor x\rfloor\le1", ()),
     (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor+1", ()),
+    # Of partial sums and products, by their limits.
+    (r"\sum_{k=1}^n\frac1{k^2}<2-\frac1{n+1}", ()),
+    (r"\sum_{k=1}^n\frac1{k^2}<\frac{\pi^2}6", ()),
+    (r"\sum_{k=1}^n\frac1{k^3}<\frac54", ()),
+    (r"\sum_{k=0}^n\frac1{k!}<3", ()),
+    (r"\sum_{k=0}^nx^k<\frac1{1-x}", ("0<x<1",)),
+    (r"\prod_{k=1}^n\left(1+\frac1{k^2}\right)<4", ()),
+    (r"\sum_{k=1}^n\frac1{n+k}\ge\frac12", ()),
     # By the values of integrals with letters.
     (r"\int_0^x\sin t\,dt\ge0", ()),
     (r"\int_0^\infty e^{-ax}\,dx\ge1", ("0<a<1",)),
@@ -145,6 +153,15 @@ NOT_PROVED = [
     (r"\lceil x\rceil-\lfloor x\rfloor<1", ()),
     (r"\lfloor x+y\rfloor\le\lfloor x\rfloor+\lfloor y\rfloor", ()),
     (r"\lfloor x\rfloor\ge\frac x2-\frac12", ()),
+    (r"\sum_{k=1}^n\frac1{k^2}<2-\frac2{n+1}", ()),
+    (r"\sum_{k=1}^n\frac1{k^2}<\frac{164}{100}", ()),
+    (r"\sum_{k=1}^n\frac1{k^3}<\frac{12}{10}", ()),
+    (r"\sum_{k=0}^n\frac1{k!}<\frac{2718}{1000}", ()),
+    (r"\sum_{k=0}^nx^k<\frac1{1-x}", (r"0\le x<1",)),
+    (r"\prod_{k=1}^n\left(1+\frac1{k^2}\right)<\frac{36}{10}", ()),
+    (r"\sum_{k=1}^n\frac1k<100", ()),
+    (r"\sum_{k=1}^n\frac1{n+k}>\frac12", ()),
+    (r"\sum_{k=1}^n\frac{(-1)^k}k\ge-\ln2", ()),
     # Integrands that have no integral.
     (r"\int_0^1\frac ax\,dx\ge0", ("a>0",)),
 ]

@@ -223,7 +223,21 @@ def holds_by_steps(slack: Slack, domain: Domain, show: Show) -> bool:
     if value.count_ops() > _LARGEST or has_parts(value, sp.Integral, sp.Piecewise):
         return False
     counts = (n for n in value.free_symbols if find_first(n, domain) is not None)
-    return any(_holds(Slack(value, slack.strict), n, domain, show) for n in sorted(counts, key=str))
+    return any(
+        _holds(Slack(_shift_indices(value, n), slack.strict), n, domain, show)
+        for n in sorted(counts, key=str)
+    )
+
+
+def _shift_indices(value: sp.Expr, n: sp.Symbol) -> sp.Expr:
+    """Write terms of n + k, as 1/(n + k) from 1 to n, by an index that runs from n on."""
+    shifted = {}
+    for total in value.atoms(sp.Sum, sp.Product):
+        (k, lower, upper), *others = total.limits
+        term = total.function.subs(k, k - n)
+        if not others and total.function.has(n) and not term.has(n):
+            shifted[total] = total.func(term, (k, lower + n, upper + n))
+    return value.xreplace(shifted)
 
 
 def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
@@ -231,7 +245,7 @@ def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
     totals = [total for total in slack.value.atoms(sp.Sum, sp.Product) if total.has(n)]
     if first is None or not all(is_plain(total, n) for total in totals):
         return False
-    steps = list(_list_steps(slack.value, n)) if _goes_on(slack.value, n, domain) else []
+    steps = list(_list_steps(slack.value, n)) if goes_on(slack.value, n, domain) else []
     for start in range(int(first), int(first) + _MOST_SINGLE):
         beginning = sp.expand(write_out(substitute(slack.value, {n: sp.Integer(start)})))
         if not show(Slack(beginning, slack.strict), domain):
@@ -260,7 +274,7 @@ def _list_steps(value: sp.Expr, n: sp.Symbol) -> Iterator[tuple[sp.Expr, sp.Expr
             yield factor, rest
 
 
-def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
+def goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
     """Return whether D(n) and D(n + 1) have values for all n; otherwise a step proves nothing.
 
     The square root of x + n, for example, has values for more x as n grows.
@@ -272,12 +286,12 @@ def _goes_on(value: sp.Expr, n: sp.Symbol, domain: Domain) -> bool:
         # Other exponents, as in the n-th root of x, give quotients that are not rational.
         if not all(power.exp.is_polynomial(n) for power in powers):
             return False
-        if not has_values(*_name_factorials(side, domain)):
+        if not has_values(*name_factorials(side, domain)):
             return False
     return True
 
 
-def _name_factorials(value: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
+def name_factorials(value: sp.Expr, domain: Domain) -> tuple[sp.Expr, Domain]:
     """Replace factorials of non-negative numbers by positive variables."""
     nodes = [node for node in value.atoms(sp.factorial) if node.args[0].is_nonnegative]
     named = {node: sp.Dummy("factorial", positive=True) for node in nodes}
@@ -289,7 +303,7 @@ def _let_run(
     factor: sp.Expr, rest: sp.Expr, n: sp.Symbol, strict: bool, domain: Domain
 ) -> tuple[sp.Expr, Domain] | None:
     """Let n be real in a step with a positive factor, or non-negative one if not `strict`."""
-    rest, domain = _name_factorials(rest, domain)
+    rest, domain = name_factorials(rest, domain)
     run = let_run(sp.Tuple(factor, rest), n, domain)
     if run is None:
         return None

@@ -17,11 +17,11 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.proof import integrand_signs, newton
-from mechproof.proof.approximations import tell_order
+from mechproof.proof import descents, integrand_signs, newton
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
+from mechproof.proof.descents import holds_by_descent
 from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_sides
 from mechproof.proof.exact_values import decide_exact, decide_number, resolve_sides
 from mechproof.proof.floors import leave_fractions
@@ -279,6 +279,8 @@ def prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
         return integrand_signs.RUNG
     if holds_by_steps(slack, domain, show_sign):
         return OF_INEQUALITIES
+    if holds_by_descent(slack, domain, show_sign):
+        return descents.RUNG
     if found := _hold_by_cases(relation, domain) or show_sign(slack, domain):
         return found
     if holds_between(relation, domain):

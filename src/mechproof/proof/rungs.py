@@ -30,67 +30,69 @@ RUNGS = {
     "logarithms and powers": "both sides are the same once powers of positive bases are written "
     "as exponentials and logarithms of products as sums",
     "induction": "both sides are equal for one term, and each further term adds the same to both, "
-    "or multiplies both by the same factor",
-    "sign in positive coordinates": "the sign of the difference is read from its coefficients "
-    "after a change to coordinates that are positive exactly on the domain",
-    "sign of the integrand": "an inequality of integrals over one interval follows from the sign "
-    "of the integrand",
-    "bisection and derivatives": "an inequality on a closed interval is enclosed on ever smaller "
-    "parts, and decided by derivatives at an end where it becomes an equality",
-    "Taylor series with its remainder in balls": "a function that is small near 0 is bounded by "
-    "its series: the first coefficients vanish exactly, and the others and the remainder add up "
-    "to no more than the bound",
-    "Newton's method in balls": "the bracket has one root for all sizes, and Newton's steps from "
-    "the start end within the bound of it: shown on parts of the domain by the signs at the ends, "
-    "the sign of the derivative, and Kantorovich's bound",
-    "inverse function: value and range": "the inverse function has this value, since the value "
-    "lies in its range and the original function takes it to the argument",
+    "or multiplies both by the same",
+    "sign in positive coordinates": "an inequality whose sign is read from the coefficients after "
+    "a change to coordinates that are positive exactly on the domain",
+    "sign of the integrand": "an inequality of integrals over one interval, by the sign of what is "
+    "integrated between its ends",
+    "bisection and derivatives": "an inequality on a finite interval, enclosed on ever smaller "
+    "parts, and by its derivatives where it becomes an equality",
+    "Taylor series with its remainder in balls": "what is small near 0 is bounded by its series: "
+    "the first coefficients vanish exactly, the others and the remainder add up to no more than "
+    "the bound",
+    "Newton's method in balls": "a bracket has one root for all sizes, and Newton's steps from the "
+    "start end within the bound of it: shown on parts of the domain, by the signs at the ends, the "
+    "sign of the derivative, and Kantorovich's bound",
+    "inverse function: value and range": "an inverse function has the value at which what it is "
+    "inverse to gives its argument, if that lies in its range",
     "sum of angles within a turn": "inverse sines, cosines and tangents add up to an angle that "
     "lies within a turn and points along the first axis",
-    "product under one logarithm": "the logarithms cancel, since the product of their arguments "
-    "is one",
-    "square of a root and its sign": "a side has the sign of the root, and the square of the side "
-    "is the square of the root",
-    "squares of roots and moduli": "an inequality between terms of known sign follows from that "
-    "between their squares",
-    "signs of moduli": "one sum of moduli is at least another: with any signs, the contents of "
-    "the latter add up to the contents of the former times factors of at most one",
-    "mean value theorem": "|f(x) - f(y)| is at most a bound of the slope of f times |x - y|",
-    "order of inverse functions": "an inverse function compares with a number in its range as its "
-    "argument compares with the original function of that number, or the other way round if the "
-    "function falls",
-    "sum of binomial squares": "with the nonnegative numbers written as squares, the difference "
-    "of the sides is a sum of squares of one or two terms",
-    "signs in half-angle tangents": "the inequality is decided as one in the tangents of half "
-    "angles and in exponentials, on the intervals in which these lie",
-    "every order of the numbers": "for every order of the numbers, each is written as the one "
-    "below it plus a gap, and the coefficients show the sign",
-    "gaps of linear relations": "the numbers are written in terms of the gaps of given relations "
-    "such as a < b + c, and the coefficients show the sign",
-    "monotonicity": "an inequality holds at one place, or in the limit at an end, and the "
-    "difference of its sides grows from there; or at both ends of an interval on which the "
-    "difference is concave; or where the slope of a convex difference is zero",
-    "induction of an inequality": "an inequality holds for the first whole number, and for each "
-    "next one if for the one before: the difference of its sides is at least a positive multiple "
-    "of the previous difference",
-    "limit of partial sums": "an infinite sum is the limit of its partial sums, whose value is "
+    "product under one logarithm": "logarithms add up to nothing, for the product of their "
+    "arguments is one",
+    "square of a root and its sign": "a side has the sign of a root, and its square is that of it",
+    "squares of roots and moduli": "an inequality, by those of the squares of what has a sign",
+    "signs of moduli": "moduli are no less than others: for all signs of what is in these, "
+    "multiples of what is in the first, by no more than one, add up to it",
+    "mean value theorem": "|f(x) - f(y)| is no more than a bound of the slope of f times |x - y|",
+    "order of inverse functions": "an inverse function and another number, within its range, are "
+    "in the order, or the opposite one, of what it is the inverse of",
+    "sum of binomial squares": "an inequality: the difference of the sides, by real numbers whose "
+    "squares are those that are not negative, is a sum of squares of one or two terms",
+    "signs in half-angle tangents": "an inequality in the tangents of half angles and in "
+    "exponentials, on the intervals in which these lie",
+    "every order of the numbers": "an inequality, by the coefficients for every order of the "
+    "numbers, each written as the one below and a gap",
+    "gaps of linear relations": "an inequality, with the numbers written by the gaps of relations "
+    "that are said of them, such as a < b + c",
+    "monotonicity": "an inequality that holds at one place, or in the limit at an end, from which "
+    "the difference of its sides grows; at both ends of an interval on which that is concave; or "
+    "where its slope is zero and it is convex",
+    "induction of an inequality": "an inequality that holds for the first whole number, and for "
+    "each next one if for the one before: the difference of its sides is at least a positive "
+    "multiple of what it was",
+    "descent to a limit": "an inequality for whole numbers: the difference of its sides falls from "
+    "each to the next and is not negative in the limit",
+    "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
     "proved by induction, or that of a geometric series",
-    "known series": "the first term and the quotients of successive terms of an infinite sum are "
-    "those of the series of an elementary function, where it converges, or of a value of zeta",
-    "Fourier series": "an infinite sum of sines or cosines of all or of the odd multiples of an "
-    "angle, divided by a power of the multiple, is that of a sawtooth, a square wave or the like, "
-    "within its period",
+    "known series": "a sum without end whose first term and quotients of terms are those of the "
+    "series of an elementary function, where it converges, or of a value of zeta",
+    "Fourier series": "a sum without end of sines or cosines of all or odd multiples of an angle, "
+    "divided by a power of these, is that of a saw, a square wave or the like, within its period",
+    "partial fractions": "a sum or product without end of fractions of its index, alone or times a "
+    "wave, is minus the residues at their poles, or that of values of the digamma function",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
-    "angles that rise by the same step": "times the sine of half the step, each term of a sum of "
-    "sines or cosines is a difference of neighbours, so all but the ends cancel",
-    "multiple of a constraint": "the difference of the sides is a multiple of the difference of "
-    "the sides of a constraint printed before",
-    "values of any functions": "nothing is assumed of the named functions except that they are "
-    "smooth: their values are treated as arbitrary numbers, and integrals are worked out where "
-    "the integrand is a derivative",
-    "steps of floors": "the floors of one number cancel at each step within a period, and between "
-    "the steps",
+    "angles that rise by the same step": "each term of a sum of sines and cosines is a difference "
+    "by sines of half the step, so all but the ends cancel",
+    "binomial sum of waves": "sines or cosines times binomial coefficients are a part of a power "
+    "of 1 + exp(i*x)",
+    "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
+    "that is printed before",
+    "values of any functions": "of functions that are named nothing is known but that they are "
+    "smooth: their values are numbers of which nothing is known, and those of antiderivatives are "
+    "found where what is integrated is a derivative",
+    "steps of floors": "floors of one number add up to nothing at each step within a period, and "
+    "between the steps",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
     "limits from both sides": "the limits from above and from below differ, so there is no limit",
     "divergence": "a number is printed for an integral, a sum or a limit that has none: an "
