@@ -28,8 +28,10 @@ from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
 BISECTION = "bisection and derivatives"
-_SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
-_SMOOTH += (sp.sinh, sp.cosh, sp.tanh)
+_SMOOTH = (
+    *(sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc),
+    *(sp.sinh, sp.cosh, sp.tanh),
+)
 # Work limits: 2**7 parts of the interval, 2**3 for slopes, and zeros of order up to 7.
 _HALVINGS = 7
 _HALVINGS_OF_SLOPES = 3
