@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 
 import sympy as sp
 
@@ -50,11 +51,14 @@ def refuse_units(said: Iterable[str], letters: Collection[str]) -> None:
             )
 
 
-def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.Expr]:
+def solve_equation(
+    equation: sp.Equality, moving: Moving, said: Sequence[sp.Basic]
+) -> tuple[sp.Basic, sp.Expr]:
     r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
-    The letter is alone on a side, or it or its reciprocal has a number as its factor. Of several,
-    the last is taken, but preferably one that depends on others, as the letters of its value do.
+    It stands alone on a side, or it or its reciprocal has a number as its factor, or what is said
+    of it makes it an inverse sine, cosine or tangent; of several the last is taken, first among
+    those that depend on others as letters of its value do.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -65,6 +69,7 @@ def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.
         factor = sum_of_it.diff(letter)
         if factor.is_number and factor != 0:
             alone.append((letter, sp.expand(letter - sum_of_it / factor) ** power))
+    alone = alone or [*_invert(equation, letters, said)]
     if not alone:
         raise ValueError(
             f"--where {equation.lhs}={equation.rhs}: it cannot be solved for a letter: "
@@ -77,6 +82,32 @@ def solve_equation(equation: sp.Equality, moving: Moving) -> tuple[sp.Basic, sp.
             "on: give the value of another one by --let"
         )
     return letter, value
+
+
+_INVERSES: Mapping[type[sp.Basic], tuple[type[sp.Basic], sp.Interval]] = {
+    sp.sin: (sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
+    sp.cos: (sp.acos, sp.Interval(0, sp.pi)),
+    sp.tan: (sp.atan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
+}
+
+
+def _invert(
+    equation: sp.Equality, letters: Sequence[sp.Basic], said: Sequence[sp.Basic]
+) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    r"""Yield letters of which one function stands there, l\sin\psi=r\sin\varphi, with a range."""
+    pairs = ((equation.lhs, equation.rhs), (equation.rhs, equation.lhs))
+    for letter, (side, other) in product(letters, pairs):
+        factor, wave = side.as_independent(letter, as_Add=False)
+        if type(wave) not in _INVERSES or other.has(letter):
+            continue
+        inverse, values = _INVERSES[type(wave)]
+        rate = sp.diff(wave.args[0], letter)
+        if wave.args[0] != rate * letter or not rate.is_Rational:
+            continue
+        own = [one.as_set() for one in said if one.free_symbols == {letter}]
+        run = sp.imageset(letter, rate * letter, sp.Intersection(*own)) if own else sp.S.Reals
+        if run.is_subset(values):
+            yield letter, inverse(other / factor) / rate
 
 
 def give_values(

@@ -127,9 +127,10 @@ def read_letters(pasted: Pasted) -> Letters:
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in read_relations(text, reader)]
     equations = [r for r in relations if isinstance(r, sp.Equality)]
+    left = [r for r in relations if r not in equations]
     values = [
         *given_letters.read_values(pasted.values, reader),
-        *(given_letters.solve_equation(one, moving) for one in equations),
+        *(given_letters.solve_equation(one, moving, left) for one in equations),
         *special_letters.give_unknown(variables, pasted.unknown, called),
     ]
     variables = given_letters.give_values(variables, values)
@@ -143,7 +144,6 @@ def read_letters(pasted: Pasted) -> Letters:
     )
     parameters = given_letters.find_parameters(variables, list_differentials(pasted.prints))
     notation = replace(notation, parameters=parameters)
-    left = [r for r in relations if r not in equations]
     decimals = given_letters.find_decimals(pasted.values, variables)
     return Letters(variables, notation, left, tied, rates, _list_needed(variables), decimals)
 
