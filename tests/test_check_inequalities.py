@@ -45,6 +45,11 @@ PROVED = [
     (r"|\sin2x-\sin2y|\le2|x-y|", ()),
     (r"|e^{-x}-e^{-y}|\le|x-y|", (r"x\ge0", r"y\ge0")),
     (r"|\sqrt x-\sqrt y|\le\frac12|x-y|", (r"x\ge1", r"y\ge1")),
+    # Moduli, maxima and minima with roots, case by case.
+    (r"|\sqrt a-\sqrt b|\le\sqrt{|a-b|}", (r"a\ge0", r"b\ge0")),
+    (r"\min(x,y)\le\sqrt{xy}", (r"x\ge0", r"y\ge0")),
+    (r"\max(|x|,|y|)\le\sqrt{x^2+y^2}", ()),
+    (r"\sqrt{x^2+y^2}\le\sqrt2\max(|x|,|y|)", ()),
     # Angles, by their tangents.
     (r"\arctan\frac{e\sin x}{1-e\cos x}\le\arcsin e", (r"0\le e<1",)),
     (r"\arctan x<\arcsin x", ("0<x<1",)),
@@ -117,6 +122,10 @@ NOT_PROVED = [
     (r"|\sqrt x-\sqrt y|\le\frac12|x-y|", (r"x\ge0", r"y\ge0")),
     (r"|\operatorname{sgn}x-\operatorname{sgn}y|\le|x-y|", ()),
     (r"|\lfloor x\rfloor-\lfloor y\rfloor|\le|x-y|", ()),
+    (r"|\sqrt a-\sqrt b|\le\frac12\sqrt{|a-b|}", (r"a\ge0", r"b\ge0")),
+    (r"\min(x,y)<\sqrt{xy}", (r"x\ge0", r"y\ge0")),
+    (r"\max(|x|,|y|)<\sqrt{x^2+y^2}", ()),
+    (r"\sqrt{x^2+y^2}\le\frac75\max(|x|,|y|)", ()),
     (r"\arctan\frac{e\sin x}{1-e\cos x}\le\frac9{10}\arcsin e", (r"0\le e<1",)),
     (r"\arctan\frac{e\sin x}{1-e\cos x}<\arcsin e", (r"0\le e<1",)),
     (r"\arctan x<\arcsin x", (r"0\le x<1",)),

@@ -111,8 +111,8 @@ def _by_gaps(slack: Slack, domain: Domain) -> bool:
     symbols = sorted(value.free_symbols, key=str)
     if any(s.is_integer for s in symbols) or value.count_ops() > _LARGEST_MOVED:
         return False
-    ends = ((s, domain.set_of(s)) for s in symbols)
-    said = [Slack(s - v.start, v.left_open) for s, v in ends if v.inf.is_finite]
+    ends = ((s, v) for s in symbols if isinstance(v := domain.set_of(s), sp.Interval))
+    said = [Slack(s - v.start, v.left_open) for s, v in ends if v.start.is_finite]
     related = [one for one in map(find_slack, domain.where) if one and _is_linear(one, symbols)]
     if not (related and 2 <= len(symbols) <= _MOST_ORDERED and len(said + related) <= _MOST_SAID):
         return False

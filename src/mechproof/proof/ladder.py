@@ -322,7 +322,8 @@ def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
     def prove(value: sp.Expr, zero: sp.Expr, part: Domain) -> str | None:
         if value.has(sp.Piecewise):
             return decide_by_pieces((value, zero), part, prove)
-        return SIGN if is_shown(slack._replace(value=value), part) else None
+        one = slack._replace(value=value)
+        return SIGN if is_shown(one, part) else show_sign(one, part)
 
     return prove(written, sp.S.Zero, domain)
 
