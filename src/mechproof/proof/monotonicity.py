@@ -56,7 +56,7 @@ def holds_by_slope(slack: Slack, domain: Domain) -> bool:
 
 def _list_variables(value: sp.Expr, domain: Domain) -> list[sp.Symbol]:
     """List the variables of functions that run through intervals and appear in no relation."""
-    powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational}
+    powers = {p for p in value.atoms(sp.Pow) if not p.exp.is_Rational or p.exp.q > 2}
     nodes = {*value.atoms(*_TRANSCENDENTAL), *powers}
     # A variable in a relation does not run through its set independently of the others.
     coupled = {s for relation in domain.where for s in relation.free_symbols}

@@ -1,9 +1,9 @@
 """Forms of a number that have its sign, in which the sign is easier to see.
 
-A quotient is multiplied by its denominator, and divided by the common factor of its logarithms. Two
-terms of opposite sign are compared by their logarithms. Whole numbers are replaced by real ones,
-and two positive variables by one of them and their ratio: if the number is homogeneous, only the
-ratio is left.
+A quotient is multiplied by what is below it, and divided by what stands before its logarithms or
+its arcs. Of two terms with opposite signs the logarithms are compared. With whole numbers it is
+one of real numbers, and two positive variables are one of them and their ratio: where the number is
+homogeneous, the ratio is left.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from mechproof.proof.counts import let_run
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import write_by_logarithms
 from mechproof.proof.signs import is_positive
+from mechproof.record.parts import TURNING, has_parts
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -29,8 +30,12 @@ def list_forms(value: sp.Expr, domain: Domain) -> Iterator[Form]:
     for count in sorted(value.free_symbols, key=str):
         if count.is_integer and (run := let_run(value, count, domain)) is not None:
             value, domain = run
+    if len(value.free_symbols) > 1:
+        value = compare_logarithms(value, domain) or value
     for number, part in ((value, domain), *_list_ratios(value, domain)):
         yield free_logarithms(number, part), part
+    if has_parts(sp.denom(sp.together(value)), *TURNING):
+        yield value, domain
 
 
 def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
@@ -47,16 +52,20 @@ def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
     return kept
 
 
+# The slopes of these are algebraic.
+_ARCS = (sp.atan, sp.asin, sp.acos, sp.asinh, sp.acosh, sp.atanh)
+
+
 def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
     """Drop factors with known signs, and the factor that all logarithms have in common."""
     value = drop_signed_factors(value, domain)
-    nodes = sorted(value.atoms(sp.log), key=sp.default_sort_key)
+    nodes = sorted(value.atoms(sp.log) or value.atoms(*_ARCS), key=sp.default_sort_key)
     if not nodes:
         return value
     expanded = sp.expand(value)
     factors = {node: expanded.coeff(node) for node in nodes}
     common = factors[nodes[0]].as_coeff_Mul()[1]
-    if not common.free_symbols or common.has(sp.log):
+    if not common.free_symbols or common.has(sp.log, *_ARCS):
         return value
     ratios = {node: sp.cancel(factor / common) for node, factor in factors.items()}
     sign = find_sign_there(common, domain)
@@ -70,7 +79,9 @@ def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
 def compare_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr | None:
     """Write a - b, both positive and one a power that is not a root, as ln a - ln b; else None."""
     value = sp.collect(value, _list_powers(value))
-    terms = value.args if isinstance(value, sp.Add) else ()
+    terms = value.as_independent(*value.free_symbols, as_Add=True)
+    if terms[0] == 0:
+        terms = sp.Add.make_args(value)
     if len(terms) != 2 or not _list_powers(value):
         return None
     signs = [find_sign_there(term, domain) for term in terms]
