@@ -43,6 +43,17 @@ PAIRS = [
         *("1", "0"),
         (r"0\le x\le\pi",),
     ),
+    # Anywhere, as both sides repeat themselves.
+    (
+        r"|\sin x|=\frac2\pi-\frac4\pi\sum_{n=%s}^\infty\frac{\cos2nx}{4n^2-1}",
+        *("1", "0"),
+        (),
+    ),
+    (
+        r"|\cos x|=\frac2\pi-\frac4\pi\sum_{n=1}^\infty\frac{%s\cos2nx}{4n^2-1}",
+        *("(-1)^n", "(-1)^{n+1}"),
+        (),
+    ),
     # By the digamma function.
     (r"\sum_{n=0}^\infty\frac1{(3n+1)(3n+2)}=\frac\pi{%s\sqrt3}", "3", "2", ()),
     (r"\sum_{n=0}^\infty\frac{(-1)^n}{3n+1}=\frac13\ln2%s\frac\pi{3\sqrt3}", "+", "-", ()),
@@ -71,6 +82,8 @@ PAIRS = [
 NOT_PROVED = [
     (r"\sum_{n=1}^\infty\frac{n\sin nx}{n^2+1}=\frac{\pi\sinh(\pi-x)}{2\sinh\pi}", (r"0\le x<1",)),
     (r"\sum_{n=1}^\infty\frac{\cos nx}{n^2+1}=\frac{\pi\cosh(\pi-x)}{2\sinh\pi}-\frac12", ()),
+    (r"\sin x=\frac2\pi-\frac4\pi\sum_{n=1}^\infty\frac{\cos2nx}{4n^2-1}", ()),
+    (r"\sum_{n=1}^\infty\frac{\sin nx}n=\frac{\pi-x}2", ()),
     (r"\pi\cot\pi x=\frac1x+\sum_{n=1}^\infty\frac{2x}{x^2-n^2}", ("0<x<2",)),
     (r"\sum_{n=-\infty}^\infty\frac1{n^2-a^2}=-\frac\pi a\cot(\pi a)", ("a>0",)),
     (

@@ -72,6 +72,7 @@ from mechproof.proof.reasons import (
     tell_needs,
 )
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
+from mechproof.proof.split_ranges import list_periods
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.wave_sums import FOURIER, decide_by_binomials, decide_by_steps, settle_waves
@@ -185,6 +186,11 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
         if [printed, rebuilt] != sides:
             answer = decide_sides(printed, rebuilt, domain)
             return replace(answer, rung=f"{rung}, {answer.rung}")
+    is_endless = any(total.limits[0][2] == sp.oo for side in sides for total in side.atoms(sp.Sum))
+    for part in list_periods(sides, domain) if is_endless else ():
+        answer = decide_sides(printed, rebuilt, part)
+        if answer.verdict in (Verdict.PROVED, Verdict.REFUTED):
+            return answer
     if found := settle_by_parts(printed, rebuilt, domain, prove_equal):
         answer = decide_sides(found.printed, found.rebuilt, domain)
         return replace(answer, rung=f"{found.rung}, {answer.rung}")

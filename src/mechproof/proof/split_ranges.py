@@ -1,8 +1,8 @@
-"""Inequalities on parts of a range: beside a number that a letter is not, and within a period."""
+"""Statements on parts of a range: beside a number that a letter is not, and within a period."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -33,21 +33,34 @@ def _split_at_hole(relation: sp.Basic, domain: Domain) -> list[Domain]:
 
 def _list_period(relation: sp.Basic, domain: Domain) -> list[Domain]:
     """Return numbers from zero to beyond the period of the only letter, which may be any number."""
-    letters = find_free(relation)
+    return [
+        part.with_set(x, sp.Interval(0, sp.ceiling(part.set_of(x).end)))
+        for part in list_periods(relation.args, domain)[:1]
+        for x in find_free(relation)
+    ]
+
+
+def list_periods(sides: Sequence[sp.Expr], domain: Domain) -> list[Domain]:
+    """List periods, from zero and about it, of the only letter, if it may be any number."""
+    letters = {letter for side in sides for letter in find_free(side)}
     coupled = {letter for said in domain.where for letter in find_free(said)}
     if len(letters) != 1 or letters & coupled:
         return []
     (x,) = letters
-    period = find_period(relation, x) if domain.set_of(x) == sp.S.Reals else None
-    return [] if period is None else [domain.with_set(x, sp.Interval(0, sp.ceiling(period)))]
+    period = _find_period(sides, x) if domain.set_of(x) == sp.S.Reals else None
+    if period is None:
+        return []
+    runs = sp.Interval(0, period), sp.Interval(-period / 2, period / 2)
+    return [domain.with_set(x, run) for run in runs]
 
 
-def find_period(relation: sp.Basic, x: sp.Symbol) -> sp.Expr | None:
+def _find_period(sides: Sequence[sp.Expr], x: sp.Symbol) -> sp.Expr | None:
     """Return a number by which a letter may grow without a change, None if none is found."""
-    steps = {sp.diff(wave.args[0], x) for wave in relation.atoms(*TURNING)}
-    for step in sorted(abs(step) for step in steps if step.is_Rational and step != 0):
+    slopes = (sp.diff(w.args[0], x).as_coeff_Mul() for side in sides for w in side.atoms(*TURNING))
+    steps = {abs(step) for step, rest in slopes if step != 0 and rest.is_integer}
+    for step in sorted(steps):
         for turn in (sp.pi / step, 2 * sp.pi / step):
-            sides = zip(relation.args, relation.subs(x, x + turn).args, strict=True)
-            if all(sp.expand(one) == sp.expand(other) for one, other in sides):
+            moved = (side.subs(x, x + turn) for side in sides)
+            if all(sp.expand(a) == sp.expand(b) for a, b in zip(sides, moved, strict=True)):
                 return turn
     return None
