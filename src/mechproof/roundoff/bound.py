@@ -139,7 +139,7 @@ class ErrorAnalysis:
         elif step.kind in ("copy", "approximate"):
             self._round(step, given[0], (self._one,))
         else:
-            exact, slopes = RULES[step.kind](self.turn, *given)
+            exact, slopes = self._apply(step, given)
             if step.proved and step.ulps:
                 # Error tables of functions of two arguments are indexed by the quotient.
                 error = self._look_up(step, given[0] / given[1] if given[1:] else given[0]) * EPS
@@ -149,13 +149,19 @@ class ErrorAnalysis:
             else:
                 self._round(step, stated or exact, slopes, self._are_exact(step, given))
 
+    def _apply(
+        self, step: Step, given: Sequence[IntervalMonomial]
+    ) -> tuple[IntervalMonomial, Slopes]:
+        exact, find_slopes = RULES[step.kind](self.turn, *given)
+        return exact, (None,) * len(given) if self._is_exact else find_slopes()
+
     def _decide(self, step: Step, given: Sequence[IntervalMonomial]) -> None:
         """Add the result of a comparison or a choice.
 
         Where roundings may flip the test, the error may be as large as the difference of the two
         sides (Goubault and Putot 2013), in addition to their own errors.
         """
-        exact, slopes = RULES[step.kind](self.turn, *given)
+        exact, slopes = self._apply(step, given)
         jump: Ends = np.float64(0.0)
         if step.kind == CHOICE and all(slopes[1:]) and not self._is_exact:
             jump = (given[1] - given[2]).expanded().largest()

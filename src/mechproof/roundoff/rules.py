@@ -37,8 +37,10 @@ SOME = Interval(np.float64(0.0), np.float64(1.0))
 
 # Derivatives of an operation's value with respect to each operand; None for zero.
 Slopes = tuple[IntervalMonomial | None, ...]
-Moved = tuple[IntervalMonomial, Slopes]
-# Called with the angle that is reduced by whole turns, then with the operands.
+# The value of an operation, and what finds its slopes, for which nobody asks where nothing is
+# rounded.
+Moved = tuple[IntervalMonomial, Callable[[], Slopes]]
+# Takes the angle that is reduced by whole turns, then the operands.
 Rule = Callable[..., Moved]
 
 
@@ -52,7 +54,7 @@ def _number(monomial: IntervalMonomial, number: float) -> IntervalMonomial:
 
 def _divide(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
     quotient = a / b
-    return quotient, (_one(a) / b, -(quotient / b))
+    return quotient, lambda: (_one(a) / b, -(quotient / b))
 
 
 def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
@@ -63,18 +65,18 @@ def _sqrt(turn: Turn | None, a: IntervalMonomial) -> Moved:
         root = a.variables.constant(a.expanded().sqrt())
     else:
         root = IntervalMonomial(a.variables, a.span.sqrt(), halves)
-    return root, (_number(a, 0.5) / root,)
+    return root, lambda: (_number(a, 0.5) / root,)
 
 
 def _hypot(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> Moved:
     root, _ = _sqrt(turn, a.power(2) + b.power(2))
-    return root, (a / root, b / root)
+    return root, lambda: (a / root, b / root)
 
 
 def _absolute(turn: Turn | None, a: IntervalMonomial) -> Moved:
     if sign := a.decide_sign():
-        return (a if sign > 0 else -a), (_number(a, sign),)
-    return a.size(), (a.variables.constant(EITHER),)
+        return (a if sign > 0 else -a), lambda: (_number(a, sign),)
+    return a.size(), lambda: (a.variables.constant(EITHER),)
 
 
 def _either(
@@ -88,9 +90,9 @@ def _either(
     leads, follows = lead.low >= 0, lead.high <= 0
     choice = a.variables.choose(leads, follows & ~leads, ~(leads | follows))
     if choice < 2:
-        return (a, b)[choice], ((one, None), (None, one))[choice]
+        return (a, b)[choice], lambda: ((one, None), (None, one))[choice]
     some = a.variables.constant(SOME)
-    return a.extreme(b, choose), (some, some)
+    return a.extreme(b, choose), lambda: (some, some)
 
 
 def enclose_rest(rounded: IntervalMonomial) -> IntervalMonomial:
@@ -111,7 +113,7 @@ def _less_equal(turn: Turn | None, a: IntervalMonomial, b: IntervalMonomial) -> 
 def _decide(one: IntervalMonomial, holds: Mask, fails: Mask) -> Moved:
     """Return 1 where a comparison surely holds, 0 where it surely fails, [0, 1] elsewhere."""
     truth = Interval(np.where(holds, 1.0, 0.0), np.where(fails, 0.0, 1.0))
-    return one.variables.constant(truth), (None, None)
+    return one.variables.constant(truth), lambda: (None, None)
 
 
 def _choose(
@@ -121,52 +123,60 @@ def _choose(
     is_first, is_second = test.span.low == 1, test.span.high == 0
     chosen = a.variables.choose(is_first, is_second, ~(is_first | is_second))
     if chosen < 2:
-        return (a, b)[chosen], ((None, _one(a), None), (None, None, _one(a)))[chosen]
+        one = _one(a)
+        return (a, b)[chosen], lambda: ((None, one, None), (None, None, one))[chosen]
     some = a.variables.constant(SOME)
-    return a.hull(b), (None, some, some)
+    return a.hull(b), lambda: (None, some, some)
 
 
 def _tan(turn: Turn | None, a: IntervalMonomial) -> Moved:
     tangent = take_tangent(a, turn)
-    return tangent, (_one(tangent) + tangent.power(2),)
+    return tangent, lambda: (_one(tangent) + tangent.power(2),)
 
 
 def _arctan2(turn: Turn | None, y: IntervalMonomial, x: IntervalMonomial) -> Moved:
-    square = x.power(2) + y.power(2)
-    return take_angle(y, x), (x / square, -(y / square))
+    def find_slopes() -> Slopes:
+        square = x.power(2) + y.power(2)
+        return x / square, -(y / square)
+
+    return take_angle(y, x), find_slopes
 
 
 def _exp(turn: Turn | None, a: IntervalMonomial) -> Moved:
     value = a.variables.constant(exponential(a.expanded()))
-    return value, (value,)
+    return value, lambda: (value,)
+
+
+def _log(turn: Turn | None, a: IntervalMonomial) -> Moved:
+    return a.variables.constant(logarithm(a.expanded())), lambda: (_one(a) / a,)
 
 
 RULES: Mapping[str, Rule] = MappingProxyType(
     {
-        "add": lambda turn, a, b: (a + b, (_one(a), _one(a))),
-        "subtract": lambda turn, a, b: (a - b, (_one(a), -_one(a))),
-        "multiply": lambda turn, a, b: (a * b, (b, a)),
+        "add": lambda turn, a, b: (a + b, lambda: (_one(a), _one(a))),
+        "subtract": lambda turn, a, b: (a - b, lambda: (_one(a), -_one(a))),
+        "multiply": lambda turn, a, b: (a * b, lambda: (b, a)),
         "divide": _divide,
-        "fma": lambda turn, a, b, c: (a * b + c, (b, a, _one(a))),
-        "negate": lambda turn, a: (-a, (-_one(a),)),
-        "square": lambda turn, a: (a.power(2), (a.scaled(exactly(2.0)),)),
+        "fma": lambda turn, a, b, c: (a * b + c, lambda: (b, a, _one(a))),
+        "negate": lambda turn, a: (-a, lambda: (-_one(a),)),
+        "square": lambda turn, a: (a.power(2), lambda: (a.scaled(exactly(2.0)),)),
         "sqrt": _sqrt,
         "hypot": _hypot,
         "absolute": _absolute,
         "maximum": lambda turn, a, b: _either(a, b, (a - b).expanded(), np.maximum),
         "minimum": lambda turn, a, b: _either(a, b, (b - a).expanded(), np.minimum),
-        "sum_rest": lambda turn, a, b, s: (enclose_rest(s), (_one(a), _one(a), -_one(a))),
+        "sum_rest": lambda turn, a, b, s: (enclose_rest(s), lambda: (_one(a), _one(a), -_one(a))),
         "less": _less,
         "less_equal": _less_equal,
         "greater": lambda turn, a, b: _less(turn, b, a),
         "greater_equal": lambda turn, a, b: _less_equal(turn, b, a),
         "choose": _choose,
-        "sin": lambda turn, a: (take_sine(a, turn), (take_cosine(a, turn),)),
-        "cos": lambda turn, a: (take_cosine(a, turn), (-take_sine(a, turn),)),
+        "sin": lambda turn, a: (take_sine(a, turn), lambda: (take_cosine(a, turn),)),
+        "cos": lambda turn, a: (take_cosine(a, turn), lambda: (-take_sine(a, turn),)),
         "tan": _tan,
-        "arctan": lambda turn, a: (take_arctangent(a), (_one(a) / (_one(a) + a.power(2)),)),
+        "arctan": lambda turn, a: (take_arctangent(a), lambda: (_one(a) / (_one(a) + a.power(2)),)),
         "arctan2": _arctan2,
         "exp": _exp,
-        "log": lambda turn, a: (a.variables.constant(logarithm(a.expanded())), (_one(a) / a,)),
+        "log": _log,
     }
 )
