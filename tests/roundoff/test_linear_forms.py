@@ -60,14 +60,14 @@ def count_missed(found: Interval, spans: list[Interval], at: Array, values: list
     assert found.form is not None
     missed = 0
     parts = np.broadcast_arrays(found.low, found.high, found.form.middle, found.form.rest)
-    changes = {i: np.broadcast_to(c, COUNT) for i, c in found.form.changes.items()}
+    changes = np.broadcast_to(found.form.changes, (SIDES, COUNT))
     for row, value in enumerate(values):
         low, high, middle, rest = (float(part[row]) for part in parts)
         if not np.isfinite([low, high, middle, rest]).all():
             continue
         missed += not (to_ball(low) <= value <= to_ball(high))
         about = arb(middle)
-        for side, change in changes.items():
+        for side, change in enumerate(changes):
             form = spans[side].form
             assert form is not None
             way = Fraction(float(at[row, side])) - Fraction(float(form.middle[row]))
@@ -122,6 +122,19 @@ def test_a_product_without_what_bends_it_is_caught(
 ) -> None:
     monkeypatch.setattr(LinearForm, "_bend", lambda self, other: (0.0, 0.0))
     assert miss_operation(kind) > 0
+
+
+def test_a_way_along_a_side_that_is_taken_off_whole_is_caught(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    bend = LinearForm._bend
+
+    def take_off(one: LinearForm, other: LinearForm) -> tuple[Any, Any]:
+        shift, bent = bend(one, other)
+        return shift, bent - np.abs(one.changes * other.changes / 2).sum(axis=0)
+
+    monkeypatch.setattr(LinearForm, "_bend", take_off)
+    assert miss_operation("square of a sum") > 0
 
 
 @pytest.mark.parametrize("kind", OPERATIONS)

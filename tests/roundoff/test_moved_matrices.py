@@ -99,12 +99,13 @@ def test_what_is_not_known_is_not_bounded() -> None:
 def test_moves_are_sorted_by_how_many_entries_they_move() -> None:
     """Moves of one entry go to the rest; of others only the part that the form does not hold."""
     low, high = np.array([1.0]), np.array([2.0])
-    form = LinearForm(np.array([1.5]), {2: np.array([0.25])}, np.array([0.25]))
+    form = LinearForm(np.array([1.5]), np.array([[0.0], [0.25]]), np.array([0.25]))
     shared, alone = Interval(low, high, form=form), Interval(-high, low)
-    loose = Interval(low, high, form=LinearForm(low, {2: low}, high))
+    loose = Interval(low, high, form=LinearForm(low, np.array([[0.0], [1.0]]), high))
     moved = sort_moves([[{"a": shared, "b": alone}, {"a": loose}], [{"a": -shared}, {}]])
     assert moved.moves[0, :, :, :, 0].tolist() == [
         [[1.5, 1.5], [-1.5, 0.0]],
+        [[0.0, 0.0], [0.0, 0.0]],
         [[0.25, 0.0], [-0.25, 0.0]],
     ]
     np.testing.assert_allclose(moved.rest[..., 0], [[2.25, 0.5], [0.25, 0.0]])

@@ -16,7 +16,15 @@ from flint import arb
 from numpy.typing import NDArray
 
 from mechproof.arithmetic.balls import working_precision
-from mechproof.arithmetic.linear_forms import LinearForm, along, follow, invert, state, take_root
+from mechproof.arithmetic.linear_forms import (
+    STILL,
+    LinearForm,
+    along,
+    follow,
+    invert,
+    state,
+    take_root,
+)
 
 Array = NDArray[np.float64]
 Ends = Any
@@ -118,7 +126,7 @@ class Interval:
         if self.form is None:
             return found
         sign = np.where(self.low >= 0, 1.0, np.where(self.high <= 0, -1.0, np.nan))
-        return found.narrowed(LinearForm.__mul__, self.form, LinearForm(sign, {}, 0.0))
+        return found.narrowed(LinearForm.__mul__, self.form, LinearForm(sign, STILL, 0.0))
 
     def largest(self) -> Ends:
         """Return the largest modulus."""
@@ -280,7 +288,7 @@ def list_spans(boxes: Array, *, has_forms: bool = False) -> list[Interval]:
     spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
     for side, span in enumerate(spans):
         if has_forms and np.all(span.is_finite):
-            span.form = along(side, span.low, span.high)
+            span.form = along(side, len(spans), span.low, span.high)
     return spans
 
 

@@ -8,8 +8,6 @@ affine arithmetic (de Figueiredo and Stolfi 2004), with all roundings in the res
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,58 +16,53 @@ Ends = Any
 # More than all roundings of an operation, relative to the sizes of its operands, for a dozen sides;
 # and more than what falls below the normal range.
 ROUNDED, UNDERFLOWN = 2.0**-46, 2.0**-1000
+# The changes of what stands still along all sides.
+STILL = np.zeros((1, 1))
 
 
 class LinearForm:
     """A middle, the change from there to the end of each side, and the largest rest."""
 
-    def __init__(self, middle: Ends, changes: Mapping[int, Ends], rest: Ends) -> None:
+    __slots__ = ("changes", "middle", "reach", "rest", "size", "swing")
+
+    def __init__(self, middle: Ends, changes: Ends, rest: Ends) -> None:
         self.middle, self.changes, self.rest = middle, changes, rest
-
-    @cached_property
-    def reach(self) -> Ends:
-        """Return how far the quantity may be from the middle."""
-        return sum(map(np.abs, self.changes.values()), self.rest)
-
-    @cached_property
-    def size(self) -> Ends:
-        """Return the largest modulus that the quantity may have."""
-        return np.abs(self.middle) + self.reach
+        # How far the changes lead from the middle, how far the quantity may be from there, and the
+        # largest size that it may have.
+        self.swing = 0.0 if changes is STILL else np.add.reduce(np.abs(changes))
+        self.reach = self.swing + rest
+        self.size = np.abs(middle) + self.reach
 
     def __neg__(self) -> LinearForm:
-        changes = {side: -change for side, change in self.changes.items()}
-        return LinearForm(-self.middle, changes, self.rest)
+        return LinearForm(-self.middle, -self.changes, self.rest)
 
     def __add__(self, other: LinearForm) -> LinearForm:
         rest = self.rest + other.rest + ROUNDED * (self.size + other.size)
-        changes = _join(self.changes, other.changes)
-        return LinearForm(self.middle + other.middle, changes, rest)
+        return LinearForm(self.middle + other.middle, self.changes + other.changes, rest)
 
     def __mul__(self, other: LinearForm) -> LinearForm:
         one, two = self.middle, other.middle
-        shift, rest = self._bend(other)
-        rest = rest + self.size * other.rest + (np.abs(two) + other.reach) * self.rest
-        changes = _join(_scale(self.changes, two), _scale(other.changes, one))
-        return LinearForm(one * two + shift, changes, rest + self._round(other))
+        rest = self.size * other.rest + (np.abs(two) + other.reach) * self.rest
+        rest = rest + self._round(other)
+        if other.changes is STILL:
+            return LinearForm(one * two, two * self.changes, rest)
+        if self.changes is STILL:
+            return LinearForm(one * two, one * other.changes, rest)
+        shift, bent = self._bend(other)
+        changes = two * self.changes + one * other.changes
+        return LinearForm(one * two + shift, changes, rest + bent)
 
     def _bend(self, other: LinearForm) -> tuple[Ends, Ends]:
-        """Return the middle of the product of both changes, and its largest distance from there."""
-        shift = rest = np.float64(0.0)
-        before: list[tuple[Ends, Ends]] = []
-        for side in {**self.changes, **other.changes}:
-            one, two = self.changes.get(side, 0.0), other.changes.get(side, 0.0)
-            # The square of a position along one side, from -1 to 1, lies between 0 and 1.
-            half = one * two / 2
-            shift, rest = shift + half, rest + np.abs(half)
-            rest = sum((np.abs(one * b + two * a) for a, b in before), rest)
-            before.append((one, two))
-        return shift, rest
+        """Return the middle of the product of both changes, and how far it may be from there."""
+        # The way along one side, squared, is between nothing and all of it.
+        half = self.changes * other.changes / 2
+        return np.add.reduce(half), self.swing * other.swing - np.add.reduce(np.abs(half))
 
     def square(self) -> LinearForm:
         """Return the square; that of the change lies between zero and the square of `reach`."""
         half, middle = self.reach * self.reach / 2, self.middle
         rest = 2 * np.abs(middle) * self.rest + half + self._round(self)
-        return LinearForm(middle * middle + half, _scale(self.changes, 2 * middle), rest)
+        return LinearForm(middle * middle + half, 2 * middle * self.changes, rest)
 
     def _round(self, other: LinearForm) -> Ends:
         return ROUNDED * (self.size * other.size) + UNDERFLOWN
@@ -77,30 +70,21 @@ class LinearForm:
     def scaled(self, factor: Ends, low: Ends, high: Ends) -> LinearForm:
         """Return a multiple of the quantity plus a term between two ends."""
         slack = ROUNDED * np.maximum(np.abs(low), np.abs(high)) + UNDERFLOWN
-        return self * LinearForm(factor, {}, 0.0) + state(low - slack, high + slack)
-
-
-def _scale(changes: Mapping[int, Ends], factor: Ends) -> dict[int, Ends]:
-    return {side: factor * change for side, change in changes.items()}
-
-
-def _join(one: Mapping[int, Ends], other: Mapping[int, Ends]) -> dict[int, Ends]:
-    joined = dict(one)
-    for side, change in other.items():
-        joined[side] = joined[side] + change if side in joined else change
-    return joined
+        return self * LinearForm(factor, STILL, 0.0) + state(low - slack, high + slack)
 
 
 def state(low: Ends, high: Ends) -> LinearForm:
     """Return the form of a quantity of which only the ends are known."""
     middle = low / 2 + high / 2
-    return LinearForm(middle, {}, np.maximum(high - middle, middle - low) * (1 + ROUNDED))
+    return LinearForm(middle, STILL, np.maximum(high - middle, middle - low) * (1 + ROUNDED))
 
 
-def along(side: int, low: Ends, high: Ends) -> LinearForm:
+def along(side: int, sides: int, low: Ends, high: Ends) -> LinearForm:
     """Return the form of the position along a side of a box."""
     ends = state(low, high)
-    return LinearForm(ends.middle, {side: ends.rest}, np.zeros_like(ends.rest))
+    changes = np.zeros((sides, *np.shape(ends.rest)))
+    changes[side] = ends.rest
+    return LinearForm(ends.middle, changes, np.zeros_like(ends.rest))
 
 
 def invert(form: LinearForm, low: Ends, high: Ends) -> LinearForm:

@@ -54,10 +54,10 @@ def sort_moves(
     known = [move for row in moves for cell in row for move in cell.items()]
     times = Counter(name for name, _ in known)
     shared = {name: place for place, name in enumerate(n for n in times if times[n] > 1)}
-    sides = sorted({side for _, move in known if move.form for side in move.form.changes})
+    sides = max((len(move.form.changes) for _, move in known if move.form), default=0)
     shape = np.broadcast_shapes(boxes, *(np.shape(move.low) for _, move in known))
     size = (len(moves), len(moves[0]))
-    parts = np.zeros((len(shared), 1 + len(sides), *size, *shape))
+    parts = np.zeros((len(shared), 1 + sides, *size, *shape))
     rest = np.zeros((*size, *shape))
     for i, j in np.ndindex(size):
         for name, move in moves[i][j].items():
@@ -68,8 +68,8 @@ def sort_moves(
             is_closer = form.rest < plain.rest
             part = parts[shared[name], :, i, j]
             part[0] = np.where(is_closer, form.middle, plain.middle)
-            for place, side in enumerate(sides, 1):
-                part[place] = np.where(is_closer, form.changes.get(side, 0.0), 0.0)
+            if sides:
+                part[1:] = np.where(is_closer, form.changes, 0.0)
             rest[i, j] += np.where(is_closer, form.rest, plain.rest)
     return MovedMatrix(parts, rest)
 
