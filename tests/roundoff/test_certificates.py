@@ -17,6 +17,7 @@ from mechproof.arithmetic.cover import WHOLE
 from mechproof.kernel_support.functions import small_arctan, tangent_quotient
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.record import Paper
+from mechproof.roundoff import computed_stages
 from mechproof.roundoff.certificate import (
     RoundingClaim,
     holds,
@@ -85,6 +86,17 @@ def test_the_known_worst_is_below_the_bound() -> None:
 def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
     claim, subject = plain()
     assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
+
+
+def test_intervals_alone_do_not_show_what_linear_forms_show(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    subject = next(s for (name, _, _), s in subjects().items() if name == "velocity")
+    claim = next(c for c in claims() if c.quantity == "velocity" and c.way == subject.way)
+    assert is_shown(subject, claim)
+    monkeypatch.setattr(computed_stages, "LONG", math.inf)
+    assert not is_shown(replace(subject), claim)
+    assert not is_shown(replace(subject), replace(claim, proved=2 * claim.proved))
 
 
 @pytest.mark.thorough

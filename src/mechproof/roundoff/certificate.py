@@ -32,7 +32,7 @@ from mechproof.tools.json_rows import read_fields, write_lines
 
 # The most boxes, over all regions, that a proof of a bound may use. Boxes with many sides get
 # fewer, as a cut is tried across each side, and so do those of maps, whose matrices take longer.
-MOST, MOST_OF_MANY, MANY_SIDES, MOST_OF_MAPS = 16000, 500, 10, 6000
+MOST, MOST_OF_MANY, MANY_SIDES, MOST_WITH_FORMS = 16000, 300, 10, 6000
 # Where the search for the lowest bound starts and gives up, in eps, and its resolution as a share
 # of the bound.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
@@ -237,9 +237,9 @@ def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[Chart
 def _limit(subject: ComputedStage) -> int:
     """Return the most boxes that a proof of a bound may use."""
     sides = max(len(region.box) for region in _list_regions(subject))
-    if subject.map:
-        return MOST_OF_MAPS
-    return MOST_OF_MANY if sides >= MANY_SIDES else MOST
+    if sides >= MANY_SIDES:
+        return MOST_OF_MANY
+    return MOST_WITH_FORMS if subject.has_forms else MOST
 
 
 def _count(covers: Sequence[tuple[ChartRegion, Cover]]) -> int:

@@ -57,7 +57,10 @@ from mechproof.roundoff.written_scales import WrittenScale, write_scale
 # Functions that compiled kernels implement themselves, without a proved error.
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
-# The constants rounded to doubles, as kernels compare with them.
+# Over more steps than this, those of the scale among them, intervals get so wide that it takes many
+# more boxes to bound them than linear forms, of which each takes twice as long.
+LONG = 120
+# The constants as doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
 
 
@@ -189,6 +192,13 @@ class ComputedStage:
         pairs = zip(scales, self.scale.straights, strict=True)
         return analysis, self.scale.weigh(*([*map(s.value, own.outputs)] for s, own in pairs))
 
+    @cached_property
+    def has_forms(self) -> bool:
+        """Say whether it is bounded by linear forms: a map, whose signs are kept, or many steps."""
+        scales = self.scale.straights if self.scale else ()
+        count = sum(len(straight.steps) for straight in (self.straight, *scales))
+        return self.map is not None or count > LONG
+
     def _run(
         self,
         straights: Sequence[StraightLineProgram],
@@ -200,9 +210,8 @@ class ComputedStage:
         kinds = [step.kind for straight in straights for step in straight.steps]
         # If the scale has terms of its own, sines and cosines that vanish cancel term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
-        # For a matrix, forms keep the signs of the moves by roundings; intervals are too wide.
         variables, monomials, turn = region.enter(
-            boxes, kinds.count("tan"), forced, waves, has_forms=self.map is not None
+            boxes, kinds.count("tan"), forced, waves, has_forms=self.has_forms
         )
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
