@@ -218,8 +218,8 @@ def ratio(
     Accuracy, tested: 10 eps of the larger of 1 and W, and what the roundings of y make of it.
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
-    falls below the normal range: at most 7.75 eps with np.cos within 1 ulp and np.sin within 1
-    ulp and np.tan within 1 ulp, found 4.83; at most 10.04 eps compiled, found 5.86.
+    falls below the normal range: at most 6.8 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 4.83; at most 7.75 eps compiled, found 5.86.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
@@ -302,8 +302,8 @@ def position(
     0 or 2**-830 <= e2*|mount|).
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/2, as long as no result overflows or
-    falls below the normal range: at most 7.07 eps with np.arctan2 within 1 ulp and np.cos
-    within 1 ulp and np.sin within 1 ulp and np.tan within 1 ulp, found 4.48; at most 8.45 eps
+    falls below the normal range: at most 6.68 eps with np.arctan2 within 1 ulp and np.cos
+    within 1 ulp and np.sin within 1 ulp and np.tan within 1 ulp, found 4.48; at most 7.92 eps
     compiled, found 5.46.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
@@ -382,8 +382,8 @@ def acceleration(
     0 or 2**-830 <= e2*|mount|).
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/4, as long as no result overflows or
-    falls below the normal range: at most 15.62 eps with np.cos within 1 ulp and np.sin within 1
-    ulp and np.tan within 1 ulp, found 8.04; at most 17.42 eps compiled, found 8.56.
+    falls below the normal range: at most 15.56 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 8.04; at most 17.17 eps compiled, found 8.56.
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
@@ -782,8 +782,8 @@ def jerk(
     0 or 2**-830 <= e2*|mount|).
 
     Proved, where mount = 0, |phi1| <= 3/2 and e1, e2 <= 1/4, as long as no result overflows or
-    falls below the normal range: at most 23.38 eps with np.cos within 1 ulp and np.sin within 1
-    ulp and np.tan within 1 ulp, found 7.39; at most 29.75 eps compiled, found 7.91.
+    falls below the normal range: at most 16.5 eps with np.cos within 1 ulp and np.sin within 1
+    ulp and np.tan within 1 ulp, found 7.39; at most 18.5 eps compiled, found 7.91.
 
     Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10).
 
@@ -902,7 +902,7 @@ def jerk_cylindrical(
     <= e2*|phi1|) and (e2 = 0 or 2**-300 <= e2).
 
     Proved, where |x| <= 22/7, as long as no result overflows or falls below the normal range:
-    at most 43.75 eps with np.tan within 1 ulp, found 14.33; at most 53.5 eps compiled, found
+    at most 42.57 eps with np.tan within 1 ulp, found 14.33; at most 50.9 eps compiled, found
     15.23.
 
     Source: Prikhodko et al. 2024 (oval wheels), second derivative of (10), pair 4-5

@@ -290,7 +290,7 @@ def lever_angle(
     guide_condition/2**48 < guide_square.
 
     Proved, where x1 >= -l_BC*min(1, l_BC/(l_AB + l_CD))/4, as long as no result overflows or
-    falls below the normal range: at most 2.6 eps with np.arctan within 1 ulp, found 1.42; at
+    falls below the normal range: at most 2.46 eps with np.arctan within 1 ulp, found 1.42; at
     most 3.6 eps compiled, found 1.62.
 
     Source: Bazuev et al. 2021, equation (1).
@@ -662,8 +662,8 @@ def position(
 
     Proved, where -37 mm <= x1 <= 0, and the sizes are within the limits (at least 0.1 %) of the
     set reconstructed with l_BC = 49.75, l_CD = 38, l_DE = 83, as long as no result overflows or
-    falls below the normal range: at most 4.53 eps with np.cos within 1 ulp and np.sin within 1
-    ulp, found 0.62; at most 4.25 eps compiled, found 0.62.
+    falls below the normal range: at most 3.13 eps with np.cos within 1 ulp and np.sin within 1
+    ulp, found 0.62; at most 3.61 eps compiled, found 0.62.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -854,8 +854,8 @@ def velocity(
 
     Proved, where -37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0, and the sizes are within the
     limits (at least 0.1 %) of the set reconstructed with l_BC = 49.75, l_CD = 38, l_DE = 83, as
-    long as no result overflows or falls below the normal range: at most 24.5 eps with np.cos
-    within 1 ulp and np.sin within 1 ulp, found 0.86; at most 23.12 eps compiled, found 0.86.
+    long as no result overflows or falls below the normal range: at most 3.11 eps with np.cos
+    within 1 ulp and np.sin within 1 ulp, found 0.86; at most 4.09 eps compiled, found 0.86.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -1014,8 +1014,8 @@ def sensitivities(
 
     Proved, where -37 mm <= x1 <= -2 mm or -3/4 mm <= x1 <= 0, and the sizes are within the
     limits (at least 0.1 %) of the set reconstructed with l_BC = 49.75, l_CD = 38, l_DE = 83, as
-    long as no result overflows or falls below the normal range: at most 21.88 eps with np.cos
-    within 1 ulp and np.sin within 1 ulp, found 0.59; at most 21.99 eps compiled, found 0.6.
+    long as no result overflows or falls below the normal range: at most 6.14 eps with np.cos
+    within 1 ulp and np.sin within 1 ulp, found 0.59; at most 5.76 eps compiled, found 0.6.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
