@@ -18,6 +18,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.proof import descents, integrand_signs, newton
+from mechproof.proof.approximations import tell_order
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
