@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _ORDER = ("<", r"\le")
+_NEEDS_BOTH, _WITH_BOTH = "an index needs its first value and its last", r"Print \sum_{k=1}^n."
 
 
 @dataclass
@@ -153,7 +154,7 @@ def _read_values(parser: Parser) -> tuple[list[_Range], None]:
     while parser.skip(","):
         indices.append(_read_index(parser))
     if parser.text != "=":
-        raise parser.refuse("an index needs its first value", r"Print \sum_{k=1}^n.")
+        raise parser.refuse("an index needs its first value", _WITH_BOTH)
     parser.take("=")
     del parser.bound[-len(indices) :]
     low = parser.read_sum()
@@ -163,6 +164,9 @@ def _read_values(parser: Parser) -> tuple[list[_Range], None]:
 
 def _read_order(parser: Parser) -> tuple[list[_Range], tree.Node]:
     r"""Read 1\le i\le n, or 1\le i<j\le n."""
+    below = takewhile(lambda token: token.text != "}", parser.tokens[parser.place :])
+    if sum(token.text in _ORDER for token in below) == 1:
+        raise parser.refuse(_NEEDS_BOTH, _WITH_BOTH)
     low, found = parser.read_sum(), list[_Range]()
     while parser.text in _ORDER:
         step = int(parser.take().text == "<")
@@ -171,7 +175,7 @@ def _read_order(parser: Parser) -> tuple[list[_Range], tree.Node]:
         index = _read_index(parser)
         found.append(_Range(index, _add_count(low, step)))
         low = index
-    raise parser.refuse("an index needs its first value and its last", r"Print \sum_{k=1}^n.")
+    raise parser.refuse(_NEEDS_BOTH, _WITH_BOTH)
 
 
 def _add_count(node: tree.Node, count: int) -> tree.Node:
