@@ -20,7 +20,7 @@ from mechproof.measured import (
     Timing,
     write_record,
 )
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import suggest_install
 
 # Ways that are fast and without error, but must not be chosen.
 REFUSED = ("wrong", "lossy", "in order", "in part", "enclosed")
@@ -169,7 +169,7 @@ class TestDecision:
         assert chosen.faster is not None
         assert chosen.faster.way == "kernel, compiled"
         assert str(chosen).endswith(
-            f" With {tell_install('fast')}: kernel, compiled, error 3e-15 rad (measured), "
+            f" With {suggest_install('fast')}: kernel, compiled, error 3e-15 rad (measured), "
             "1 ns per point."
         )
         assert not any(other.needs for other in chosen.others)
@@ -201,7 +201,7 @@ class TestDecision:
         monkeypatch.setattr("mechproof.choice.EXTRAS", {"fast": "nothing", "derive": "json"})
         without = choose("angle", error=1e-5, measured=folder, **sizes)
         assert without.way == "fine"
-        assert f"With {tell_install('derive,fast')}: tailored" in str(without)
+        assert f"With {suggest_install('derive,fast')}: tailored" in str(without)
 
     def test_nothing_qualifies(self, folder: Path) -> None:
         says = r"for all sizes of phi 0 to 5, e 0 to 0\.9, z 4 to 9; gear\.angle: fine, error 3e-15"

@@ -14,7 +14,7 @@ from command import PROVED, hear_hangups, in_process, run, write
 from weights import first_of
 
 from mechproof.__main__ import EXTRA
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import suggest_install
 
 
 @pytest.mark.parametrize(
@@ -60,7 +60,7 @@ def test_a_plain_install_is_told_what_it_lacks(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
-        f"mechproof needs rich, sympy, typer, the extra derive: {tell_install('derive')}\n"
+        f"mechproof needs rich, sympy, typer, the extra derive: {suggest_install('derive')}\n"
     )
 
 

@@ -39,7 +39,7 @@ def test_without_a_folder_the_package_is_named(
     url: str | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     install_from(url, monkeypatch)
-    assert extras.tell_install("fast") == "pip install 'mechproof[fast]'"
+    assert extras.suggest_install("fast") == "pip install 'mechproof[fast]'"
 
 
 def test_the_folder_that_was_installed_is_named(
@@ -49,7 +49,7 @@ def test_the_folder_that_was_installed_is_named(
     folder.mkdir()
     (folder / "pyproject.toml").touch()
     install_from(folder.as_uri(), monkeypatch)
-    assert extras.tell_install("derive") == f"pip install '{folder}[derive]'"
+    assert extras.suggest_install("derive") == f"pip install '{folder}[derive]'"
 
 
 def test_what_is_not_there_is_named_with_the_command() -> None:
@@ -90,7 +90,7 @@ def test_a_plain_install_has_all_names_and_tells_what_a_call_lacks(
 ) -> None:
     command = [sys.executable, "-c", PLAIN.replace("CALL", call)]
     done = subprocess.run(command, capture_output=True, text=True)
-    told = f", the extra {extra}: {extras.tell_install(extra)}" if extra else ""
+    told = f", the extra {extra}: {extras.suggest_install(extra)}" if extra else ""
     assert (done.stdout, done.stderr) == (f"{what}{told}\n", "")
 
 

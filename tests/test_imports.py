@@ -13,7 +13,7 @@ from import_graph import split
 
 import mechproof
 from mechproof import derivations, kernels, mechanisms, record
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import suggest_install
 
 HEAVY = frozenset({"sympy", "jinja2", "lark", "flint", "matplotlib", "numba", "scipy"})
 
@@ -327,4 +327,4 @@ except ImportError as error:
     print(error)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert tell_install("fast") in done.stdout
+    assert suggest_install("fast") in done.stdout

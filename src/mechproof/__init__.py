@@ -113,9 +113,9 @@ def __getattr__(name: str) -> Any:
 
 def _stand_in(name: str, error: ModuleNotFoundError) -> Callable[..., NoReturn]:
     """Return a function that only raises ImportError: names can be imported without extras."""
-    from mechproof.tools.extras import tell_missing
+    from mechproof.tools.extras import describe_missing
 
-    message = tell_missing(f"mechproof.{name}", "derive", error.name)
+    message = describe_missing(f"mechproof.{name}", "derive", error.name)
 
     def refuse(*arguments: object, **named: object) -> NoReturn:
         raise ImportError(message)

@@ -10,7 +10,7 @@ from contextlib import suppress
 from importlib.util import find_spec
 from typing import NoReturn
 
-from mechproof.tools.extras import tell_missing
+from mechproof.tools.extras import describe_missing
 from mechproof.tools.processes import ENDING
 
 # Packages that the extra `derive` installs, by the names under which they are imported.
@@ -66,7 +66,7 @@ def _run() -> None:
         stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     missing = [name for name in EXTRA if find_spec(name) is None]
     if missing:
-        print(tell_missing("mechproof", "derive", *missing), file=sys.stderr)
+        print(describe_missing("mechproof", "derive", *missing), file=sys.stderr)
         sys.exit(2)
     # SymPy makes many long-lived objects: a larger cache and rarer garbage collections save time.
     # SymPy reads this variable when it is imported.

@@ -29,7 +29,7 @@ from mechproof.measured import (
     read_record,
 )
 from mechproof.measured_ranges import Size, check_ranges, find_cells
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import suggest_install
 
 # Ways with these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
@@ -100,7 +100,7 @@ class Choice:
             text += f"; the next more accurate: {self.better._describe()}."
         if self.faster is None:
             return text
-        return f"{text} With {tell_install(self.faster.needs)}: {self.faster._describe()}."
+        return f"{text} With {suggest_install(self.faster.needs)}: {self.faster._describe()}."
 
     def _describe(self) -> str:
         how = "proved bound" if self.bound == self.error else "measured"
@@ -168,7 +168,7 @@ def choose(
     if not good:
         best = min(ways, key=lambda c: c.error)
         reach = f"no way of computing {record.quantity} is this accurate"
-        refuse("error", error, f"{reach}{_tell_open(record, pairs)}; {best}")
+        refuse("error", error, f"{reach}{_describe_open(record, pairs)}; {best}")
     alike = [way for way in good if way._may_be_as_fast_as(good[0])]
     first = min(alike, key=lambda c: c.error)
     better = [way for way in ways if way.error < first.error / BETTER]
@@ -239,7 +239,7 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
     return record
 
 
-def _tell_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
+def _describe_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
     """Return the arguments that may have any size measured, which may be the reason."""
     left = [f"{n} {lo:g} to {hi:g}" for n, (lo, hi) in record.ranges.items() if n not in pairs]
     return f" for all sizes of {', '.join(left)}" if left else ""

@@ -196,19 +196,19 @@ class Offer:
         """Return the offer as a sentence."""
         named = zip(self.arguments, self.shipped.at, strict=True)
         at = ", ".join(f"{name} = {_show(value)}" for name, value in named)
-        lost = f"loses {_tell(self.shipped)}"
+        lost = f"loses {_describe(self.shipped)}"
         if self.shipped.digits >= 1:
             lost += f" (worst at {at})"
         if self.found is None:
             return f"{self.quantity}: the shipped form {lost}; {self.why}"
         return (
             f"{self.quantity}: the shipped form {lost}; with {', '.join(self.rewrites)}, proved "
-            f"equal ({', '.join(self.rungs)}), it loses {_tell(self.found)}: "
+            f"equal ({', '.join(self.rungs)}), it loses {_describe(self.found)}: "
             f"{self.found_operations} operations instead of {self.operations}"
         )
 
 
-def _tell(loss: Loss) -> str:
+def _describe(loss: Loss) -> str:
     """Return how many digits are lost; below 0.5, just the rounding of a few operations, "none"."""
     if loss.digits < 0.5:
         return "none"

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from derived import paper_of
 
-from mechproof.codegen.docstrings import WIDTH, describe_kernel, tell_accuracy
+from mechproof.codegen.docstrings import WIDTH, describe_accuracy, describe_kernel
 from mechproof.codegen.form_rows import form_rows
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.programs.kernel import list_functions
@@ -40,7 +40,7 @@ def test_equal_limits_are_joined_and_no_others() -> None:
 
 def test_what_is_tested_of_arguments_alike_is_said_once() -> None:
     within = (a >= SMALL, a <= 10**50, b >= SMALL, b <= 10**50)
-    told = tell_accuracy(Accuracy(4503.5996, within=within), {a: "length", b: "width"})
+    told = describe_accuracy(Accuracy(4503.5996, within=within), {a: "length", b: "width"})
     assert told == "4504 eps of the value, where 1e-50 <= length, width <= 1e50"
 
 

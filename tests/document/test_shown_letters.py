@@ -57,7 +57,7 @@ def list_texts(part: object) -> list[str]:
     return [str(part)]
 
 
-def tell(letter: str, block: str, *lines: str) -> str:
+def describe(letter: str, block: str, *lines: str) -> str:
     """Return all that is said about a paper in which `letter` replaces each @."""
     found = check("paper.tex", (block + "\n".join(lines)).replace("@", letter))
     said = [text for _, text in found.told]
@@ -74,7 +74,7 @@ def find_inner(letter: str, text: str) -> list[str]:
 @pytest.mark.parametrize("name", PAPERS)
 def test_answers_show_a_letter_as_it_is_printed(name: str, letter: str) -> None:
     displays = [f"\\begin{{equation}}{latex}\\end{{equation}}" for latex in PAPERS[name]]
-    assert not find_inner(letter, tell(letter, BLOCK, *displays, TABLE))
+    assert not find_inner(letter, describe(letter, BLOCK, *displays, TABLE))
 
 
 @pytest.mark.parametrize("name", MOVING)
@@ -82,7 +82,7 @@ def test_answers_show_a_derivative_as_it_is_printed(name: str) -> None:
     block = BLOCK.replace("@ :", r"\bar\theta_2(t) :").replace("k ;", "k(t) ;")
     displays = [f"$${latex}$$" for latex in MOVING[name]]
     displays = [x.replace("@'", r"\dot{\bar\theta}_2") for x in displays]
-    text = tell(r"\bar\theta_2", block, *displays)
+    text = describe(r"\bar\theta_2", block, *displays)
     assert r"\dot{\bar" in text
     assert not find_inner(r"\bar\theta_2", text)
     assert not re.search(r"\bd2?k\b", text)

@@ -197,6 +197,6 @@ def test_the_extra_is_named(library: str, tmp_path: Path, monkeypatch: pytest.Mo
         "ncgears": lambda: cut_teeth(OVAL, 30, tmp_path),
     }
     with pytest.raises(
-        ImportError, match=rf"needs {library}.*{re.escape(extras.tell_install('cad'))}"
+        ImportError, match=rf"needs {library}.*{re.escape(extras.suggest_install('cad'))}"
     ):
         calls[library]()

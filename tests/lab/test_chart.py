@@ -15,12 +15,12 @@ from typer.testing import CliRunner
 from mechproof.cli import app
 from mechproof.lab.chart import (
     collect_first,
+    describe_sources,
     draw_chart,
     draw_charts,
     draw_overview,
     draw_panels,
     pick_marks,
-    tell_sources,
     write_summary,
     write_title,
 )
@@ -36,7 +36,7 @@ from mechproof.lab.chart_points import (
     list_workloads,
     write_headline,
 )
-from mechproof.lab.record_tables import find_searched, find_way, list_claims, tell_proved
+from mechproof.lab.record_tables import describe_proved, find_searched, find_way, list_claims
 from mechproof.measured import Record, find_files, read_record, read_records, write_record
 
 ROOT = Path(__file__).parents[2]
@@ -339,7 +339,7 @@ def check_picture(file: Path, says: str, records: list[Record]) -> list[str]:
     with Image.open(file) as picture:
         about = dict(picture.text)  # type: ignore[attr-defined]
     wrong = [] if file.stat().st_size < MOST_BYTES else ["size"]
-    expected = {"Title": says, "Description": tell_sources(records)}
+    expected = {"Title": says, "Description": describe_sources(records)}
     return wrong + [key for key, text in expected.items() if about.get(key) != text]
 
 
@@ -364,7 +364,7 @@ def test_a_stale_picture_is_found(record: Record, tmp_path: Path) -> None:
 
 def test_what_is_proved_stands_beside_the_worst(record: Record, figure: Figure) -> None:
     usual, worst = ([text.get_text() for text in axes.texts] for axes in figure.axes)
-    told = tell_proved(record)
+    told = describe_proved(record)
     for claim in list_claims(record):
         way = find_way(record, claim)
         (name,) = (t for t in worst if t == f"{way}, {told[way]}" or t.startswith(f"{way} ("))

@@ -33,7 +33,7 @@ from mechproof.measured import (
     write_record,
 )
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
-from mechproof.roundoff.certificate import tell_bound
+from mechproof.roundoff.certificate import describe_bound
 
 
 @pytest.fixture(scope="module")
@@ -289,7 +289,7 @@ def test_the_page_in_the_repository_is_of_the_records() -> None:
     # The page lists each proved bound with the measured error, and nothing else.
     claims = [claim for record in records for claim in list_claims(record)]
     proved = page.split("## What is proved")[1].split("\n## ")[0]
-    assert all(f"|{tell_bound(claim)}|{claim.found:g}|" in proved for claim in claims)
+    assert all(f"|{describe_bound(claim)}|{claim.found:g}|" in proved for claim in claims)
     assert proved.count("\n|") == len(claims) + 2
     assert "## What is proved" not in "\n".join(list_lines(records, lambda record: ()))
     # The page stays readable: some 25 lines for each quantity, and one for each claim.

@@ -28,7 +28,7 @@ from mechproof.kernels import wedge_linkage
 from mechproof.plot.canvas import SMALL
 from mechproof.plot.motion_plot import place_wheels
 from mechproof.tolerance import Size, certified_range, corner_range, monte_carlo_range
-from mechproof.tools.extras import tell_install
+from mechproof.tools.extras import suggest_install
 
 ELLIPTIC = EllipticPlanetary.published(2)
 RESTING = OvalPlanetary.published(3)
@@ -271,7 +271,7 @@ def test_without_matplotlib_the_extra_is_named() -> None:
         "try:\n    plot.motion(EllipticPlanetary.published(2))\n"
         "except ImportError as error:\n    print(error)"
     )
-    assert tell_install("plot") in run(code)
+    assert suggest_install("plot") in run(code)
 
 
 SHARES = inspect(LIMITS).shares()

@@ -20,13 +20,13 @@ from mechproof.record import Paper
 from mechproof.roundoff import computed_stages
 from mechproof.roundoff.certificate import (
     RoundingClaim,
+    describe_bound,
+    describe_place,
+    describe_proofs,
     holds,
     is_shown,
     list_stages,
     read_cuts,
-    tell_bound,
-    tell_place,
-    tell_proofs,
     write_cuts,
 )
 from mechproof.roundoff.compensation import find_compensated
@@ -314,19 +314,19 @@ def test_certificates_are_what_the_derivations_say() -> None:
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_what_a_bound_rests_on_is_told_with_it(system: str) -> None:
     known = certificate(system)
-    quantities = tell_proofs(paper_of(system), known).quantities
+    quantities = describe_proofs(paper_of(system), known).quantities
     told = {(q.name, f.name): f.proved for q in quantities for f in q.forms if f.proved}
     assert told.keys() == {(c.quantity, c.form) for c in known.claims}
     for claim in known.claims:
         text = told[claim.quantity, claim.form]
         assert f", as long as {NORMAL}: at most" in text
-        assert f"at most {tell_bound(claim)} eps" in text
+        assert f"at most {describe_bound(claim)} eps" in text
         assert all(assumption in text for assumption in claim.assumptions)
 
 
 def test_a_bound_for_all_is_told_so() -> None:
-    assert tell_place(()) == ""
-    assert tell_place(("x < 1", "x > 2")) == ", where x < 1 or x > 2"
+    assert describe_place(()) == ""
+    assert describe_place(("x < 1", "x > 2")) == ", where x < 1 or x > 2"
 
 
 @pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])

@@ -158,7 +158,7 @@ STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
 }
 
 
-def tell_x(at: dict[str, Fraction]) -> None:
+def describe_x(at: dict[str, Fraction]) -> None:
     """Add |x|, the size of the reduced angle, to the arguments of wheels that have one."""
     if "R4" in at:
         at["x"] = abs(2 * at["phi1"] * at["R4"] / at["R5"])
@@ -172,7 +172,7 @@ def test_the_worst_inputs_are_where_the_claims_say(claim: RoundingClaim) -> None
         return
     at = {name: Fraction(float.fromhex(text)) for name, text in claim.at.items()}
     if set(claim.where) <= PLACES.keys() and not {"e", "phi1"} <= at.keys():
-        tell_x(at)
+        describe_x(at)
         assert any(PLACES[text](at) for text in claim.where)
         return
     if "e" in at:
@@ -299,7 +299,7 @@ def test_charts_cover_the_places_they_say(name: str, form: str) -> None:
     is_meant = []
     for values in zip(*points.values(), strict=True):
         at = dict(zip(points, map(Fraction, map(float, values)), strict=True))
-        tell_x(at)
+        describe_x(at)
         is_meant.append(not subject.where or any(PLACES[text](at) for text in subject.where))
     with np.errstate(invalid="ignore"):
         held = subject.inside.holds(subject.complete(points, IN_DOUBLES), IN_DOUBLES)

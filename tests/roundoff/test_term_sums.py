@@ -18,7 +18,7 @@ from mechproof.arithmetic.cover import Box
 from mechproof.kernels import track_wheel
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.record import Accuracy, Chart, Quantity, Scale
-from mechproof.roundoff.certificate import holds, tell_bound
+from mechproof.roundoff.certificate import describe_bound, holds
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.regions import ChartRegion, list_regions
@@ -158,7 +158,7 @@ def test_what_each_term_adds_is_part_of_a_claim(plain: ComputedStage) -> None:
     (claim,) = (c for c in claims() if subject_of(c) is plain)
     assert holds(plain, claim)
     assert claim.found > claim.proved
-    assert tell_bound(claim) == f"{claim.proved:g} + 0.25*(n - 1)"
+    assert describe_bound(claim) == f"{claim.proved:g} + 0.25*(n - 1)"
     for each in (0.0, 0.2, 0.5):
         assert not holds(plain, replace(claim, each=each))
     assert plain.total is not None

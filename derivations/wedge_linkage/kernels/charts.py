@@ -110,7 +110,7 @@ def tolerate(size: Toleranced) -> Interval:
     )
 
 
-def tell_place(place: Expr) -> str:
+def describe_place(place: Expr) -> str:
     """Write a displacement of the pusher with its unit."""
     return f"{place} mm" if place else "0"
 
@@ -118,7 +118,9 @@ def tell_place(place: Expr) -> str:
 def whole_chain(*ways: tuple[Expr, Expr]) -> tuple[Chart, ...]:
     """Return the charts of ranges of the pusher, in mm, and of all sizes within their limits."""
     sizes = {size: tolerate(value) for size, value in FIRST_SET.sizes.items()}
-    places = " or ".join(f"{tell_place(first)} <= x1 <= {tell_place(last)}" for first, last in ways)
+    places = " or ".join(
+        f"{describe_place(first)} <= x1 <= {describe_place(last)}" for first, last in ways
+    )
     least = f"at least {float(100 * LEAST_DEVIATION):g} %"
     text = f"{places}, and the sizes are within the limits ({least}) of {FIRST_SET.source}"
     ranges = ({x1: Interval(first, last), **sizes} for first, last in ways)

@@ -112,7 +112,7 @@ def bound(
         with show_progress("bounding rounding errors") as report:
             for found in bounding.bound_all(boundings, convention, tolerance, parts, report):
                 bounds.append(found)
-                for line in _tell(found):
+                for line in _describe(found):
                     say(line)
         if coq:
             _prove(boundings, bounds, convention, coq)
@@ -167,7 +167,7 @@ def _read(sources: list[str], pasted: Pasted, is_said: bool) -> list[bounding.Bo
     return [one for file in files for one in bounding.read_boundings(Path(file))]
 
 
-def _tell(found: bounding.ProvedBound) -> list[str]:
+def _describe(found: bounding.ProvedBound) -> list[str]:
     """Return the lines about a bound; the proved bound is rounded up, the error found down."""
     kind = "relative error" if found.relative else "error"
     if found.open:

@@ -95,7 +95,7 @@ def certify(
     )
     try:
         for done in stages:
-            _tell(done, out)
+            _describe(done, out)
     except PipelineError as error:
         fail(str(error))
 
@@ -122,7 +122,7 @@ def _prove_functions(out: Path) -> None:
         raise typer.Exit(1)
 
 
-def _tell(done: Certified, out: Path) -> None:
+def _describe(done: Certified, out: Path) -> None:
     if done.coverage is None:
         say(f"{out}: {done.written} scripts of {done.rows} rows; `make -C {out}` checks them")
         if done.left_out:

@@ -39,7 +39,7 @@ from mechproof.pipeline.judging import PipelineError, read_ledgers, refuse_failu
 from mechproof.pipeline.verification import LIMIT
 from mechproof.proof.verdict import State, Verdict
 from mechproof.sources.paper_files import SUFFIXES
-from mechproof.tools.extras import list_other_versions, tell_install
+from mechproof.tools.extras import list_other_versions, suggest_install
 from mechproof.tools.made import Change
 
 app = typer.Typer(
@@ -199,7 +199,7 @@ def regenerate(
     if check and done.changes:
         say(f"run `mechproof regenerate{places.options}`")
         for other in list_other_versions("regenerate"):
-            say(f"generated files may differ because of {other}: {tell_install('regenerate')}")
+            say(f"generated files may differ because of {other}: {suggest_install('regenerate')}")
         raise typer.Exit(1)
     if done.systems and not (check or places.is_packaged):
         folder, package = places.generated.absolute().parent, places.generated.name

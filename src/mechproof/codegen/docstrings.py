@@ -162,7 +162,7 @@ def describe_derivatives(kernel: Kernel) -> tuple[str, ...]:
     """Return the docstring lines of a function of derivatives: subject, unit and accuracy."""
     quantity = kernel.quantity
     assert quantity.accuracy is not None
-    told = tell_accuracy(quantity.accuracy, input_names(quantity))
+    told = describe_accuracy(quantity.accuracy, input_names(quantity))
     return (
         *_fill(quantity.summary),
         "",
@@ -263,11 +263,11 @@ def _parameter(argument: Argument, quantity: Quantity) -> list[str]:
     default = "" if argument.default is None else f", default {argument.default:g}"
     return [
         f"{argument.name} : array_like, {shape_of(argument, quantity)}{default}",
-        *_fill(f"{capitalise(argument.meaning)} ({tell_unit(argument.unit)}).", INDENT),
+        *_fill(f"{capitalise(argument.meaning)} ({describe_unit(argument.unit)}).", INDENT),
     ]
 
 
-def tell_unit(unit: str) -> str:
+def describe_unit(unit: str) -> str:
     """Return the text of a unit; "pure number" for 1."""
     return "pure number" if unit == "1" else unit
 
@@ -280,7 +280,7 @@ def capitalise(text: str) -> str:
 def _result(kernel: Kernel) -> list[str]:
     trailing = ", ".join(map(str, kernel.code.shape))
     head = f"ndarray, shape (..., {trailing})" if trailing else "ndarray or NumPy scalar"
-    return [f"{head} ({tell_unit(kernel.quantity.unit)})"]
+    return [f"{head} ({describe_unit(kernel.quantity.unit)})"]
 
 
 def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
@@ -301,7 +301,7 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
         notes.append(
             f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
         )
-    told = tell_bound(quantity)
+    told = describe_bound(quantity)
     notes += [f"{TESTED}: {told}."] if told else []
     notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
@@ -328,12 +328,12 @@ def _approximations(kernel: Kernel) -> list[str]:
     ]
 
 
-def tell_bound(quantity: Quantity) -> str:
+def describe_bound(quantity: Quantity) -> str:
     """Return the text of a quantity's promised error bound; empty if it has none."""
-    return tell_accuracy(quantity.accuracy, input_names(quantity)) if quantity.accuracy else ""
+    return describe_accuracy(quantity.accuracy, input_names(quantity)) if quantity.accuracy else ""
 
 
-def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+def describe_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
     """Return the text of a promised error bound and of where it holds."""
     of = accuracy.scale.name if accuracy.scale else "the value"
     relations = dict.fromkeys(write_formula(r, names) for r in accuracy.within)

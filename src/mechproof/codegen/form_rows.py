@@ -76,7 +76,7 @@ def derivative_rows(paper: Paper) -> tuple[Row, ...]:
         for kernel in kernels
         for row in _state_form(kernel, 0, kernel.code.stages[0], derived)
     )
-    return tuple(_tell_derivatives(row) for row in rows)
+    return tuple(_describe_derivatives(row) for row in rows)
 
 
 def _note_differentiated(row: Row, quantity: Quantity) -> Row:
@@ -88,7 +88,7 @@ def _note_differentiated(row: Row, quantity: Quantity) -> Row:
     return replace(row, says=replace(row.says, differentiated=differentiated))
 
 
-def _tell_derivatives(row: Row) -> Row:
+def _describe_derivatives(row: Row) -> Row:
     """Turn a row about a kernel's source into one about the source of its derivatives."""
     latex = row.printed_latex.replace("the source of ", "the source of the derivatives of ")
     latex = latex.replace("its definition", "the derivatives of its definition by the chain rule")

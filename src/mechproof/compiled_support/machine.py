@@ -16,10 +16,10 @@ try:
     from numba import njit, typeof, types, vectorize
     from numba.extending import intrinsic, overload
 except ImportError as error:
-    from mechproof.tools.extras import tell_install
+    from mechproof.tools.extras import suggest_install
 
     raise ImportError(
-        f"compiled kernels and shares need numba, the extra fast: {tell_install('fast')}"
+        f"compiled kernels and shares need numba, the extra fast: {suggest_install('fast')}"
     ) from error
 
 from mechproof.compiled_support.keeping import compile_kept

@@ -261,10 +261,10 @@ def read_refused(folder: Traversable) -> dict[str, str]:
 
 def read_checks(folder: Traversable) -> dict[str, str]:
     """Return, by row id, which file of a record Coq accepts, or why there is none."""
-    return {row["id"]: _tell(row["withheld"], row["file"]) for row in _read_rows(folder)}
+    return {row["id"]: _describe(row["withheld"], row["file"]) for row in _read_rows(folder)}
 
 
-def _tell(withheld: str, file: str) -> str:
+def _describe(withheld: str, file: str) -> str:
     """Write whether a row is checked, without Coq's message, which is useful only with the file."""
     if not withheld:
         return f"checked: {file}"

@@ -175,7 +175,9 @@ def _state(relation: sp.Basic, domain: Domain, between: tuple[sp.Basic, ...] = (
     first = tuple(islice(points, _COMPARED))
     for point in chain(first, points):
         if all(is_true(h, point) for h in hypotheses):
-            compared = first if _tell_apart(first) else (*first, *_draw(symbols, domain, said))
+            compared = (
+                first if _are_distinguished(first) else (*first, *_draw(symbols, domain, said))
+            )
             return Theorem(symbols, hypotheses, relation, point, points=compared)
     raise UnwritableError("no point of the domain satisfies all hypotheses")
 
@@ -193,7 +195,7 @@ def _refute(relations: Sequence[sp.Basic], domain: Domain) -> Theorem:
     raise UnwritableError("no point was found at which it fails")
 
 
-def _tell_apart(points: Sequence[Point]) -> bool:
+def _are_distinguished(points: Sequence[Point]) -> bool:
     """Return whether no two letters have the same value at every point."""
     values = list(zip(*(point.values() for point in points), strict=True))
     return len(set(values)) == len(values)

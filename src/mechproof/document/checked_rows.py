@@ -79,11 +79,11 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
         judged = replace(answer, place=task.place, reason=_write_plainly(answer.reason))
         told = (task.sign.role, judged, judged.reason)
         return CheckedRow(*head, State.JUDGED, *told, stated=task.row)
-    reason = _tell_failure(answer) if isinstance(answer, WorkerError) else answer
+    reason = _describe_failure(answer) if isinstance(answer, WorkerError) else answer
     return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=_write_plainly(reason))
 
 
-def _tell_failure(error: WorkerError) -> str:
+def _describe_failure(error: WorkerError) -> str:
     """Say in words why a row has no answer, with the technical name in brackets."""
     told = str(error)
     if found := _RAISED.match(told):

@@ -40,8 +40,8 @@ from mechproof.document.context.newer_prints import compare_newer_prints, doubt_
 from mechproof.document.context.restated_prints import (
     compare_rates,
     compare_restated,
+    describe_unlike,
     doubt_by_restated,
-    tell_unlike,
 )
 from mechproof.document.context.undeclared_motion import (
     doubt_by_motion,
@@ -238,7 +238,7 @@ def _leave_open(at: Judging) -> Changes:
             continue
         if task.sign.role in COMPARED:
             is_said = UNLIKE in found.reason or ROOT in found.reason
-            yield number, make_row(task, found.reason if is_said else tell_unlike(task))
+            yield number, make_row(task, found.reason if is_said else describe_unlike(task))
         elif task.is_indexed:
             yield number, make_row(task, "that the bracket has this value there was not shown")
         elif task.is_either:

@@ -24,9 +24,9 @@ from mechproof.document.source_rows import Document
 from mechproof.document.tasks import Role, Task
 from mechproof.document.where_true import (
     WITH_DEFINITIONS,
+    describe_never_true,
     find_relations,
     list_shallow,
-    tell_never_true,
 )
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.nomenclature.possible_matrices import UNIT_MATRIX
@@ -105,10 +105,10 @@ def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
     try:
         return judge_following(task, tasks) if task.follows else _judge_alone(task)
     except _UNDECIDED as error:
-        return _tell(error)
+        return _describe(error)
 
 
-def _tell(error: Exception) -> str:
+def _describe(error: Exception) -> str:
     """Say why a row is not decided; that two proofs contradict each other is a fault of ours."""
     if isinstance(error, ContradictionError):
         return (
@@ -151,7 +151,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     try:
         found = _find_mixture(task) or judge(task.row, task.paper)
     except _UNDECIDED as error:
-        return _tell(error)
+        return _describe(error)
     if isinstance(task.row.says, Nearly):
         return found.reason
     if found.verdict in (Verdict.UNDECIDED, Verdict.ENCLOSED):
@@ -193,7 +193,7 @@ def _judge_alone(task: Task) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and (turned := judge_angles(task)):
         return turned
     is_exact = found.verdict is Verdict.REFUTED and not task.is_rounded
-    if is_exact and (never := tell_never_true(task, found.reason)):
+    if is_exact and (never := describe_never_true(task, found.reason)):
         if task.is_solution and WITH_DEFINITIONS in never:
             return f"it is never true{WITH_DEFINITIONS}, but may be about another case"
         return replace(found, reason=never)

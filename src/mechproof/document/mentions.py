@@ -131,7 +131,7 @@ def is_met_once(symbol: sp.Basic, known: Known, *, with_rates: bool = True) -> b
     return sum(known.met[step] for step in steps) == 1
 
 
-def tell_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
+def describe_characters(displays: Sequence[Printed], files: Files) -> Iterator[tuple[Place, str]]:
     """Yield a notice for replaced characters and one for look-alikes, at the first of each.
 
     No verdict depends on these.

@@ -21,7 +21,7 @@ from mechproof.document.numbers.calculated_sizes import add_calculations, find_s
 from mechproof.document.tasks import EQUAL, Role, Sign, Varied
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
-from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_behind
+from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_after
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (
@@ -139,7 +139,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if chain.relations[left] == r"\approx" and find_factor(nodes) and find_factor(nodes[1:]):
         return _find_role_of_factor(nodes, read, known)
     if chain.relations[left] not in EQUAL and not is_rounded:
-        units = (name_unit_behind(nodes[0]), name_unit_behind(nodes[1]))
+        units = (name_unit_after(nodes[0]), name_unit_after(nodes[1]))
         limited = (_work_out(read, nodes[0], known), _work_out(read, nodes[1], known))
         return Sign(Role.RELATION, units=units, limited=limited if any(units) else (None, None))
     for node in nodes:

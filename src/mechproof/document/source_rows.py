@@ -215,7 +215,7 @@ class Document:
         compared = list(tables.read(self.tables))
         start = Place(self.files.names[0], 1, 1)
         faults = [(place or start, reason) for place, reason in self.symbols.faults]
-        characters = mentions.tell_characters(self.printed, self.files)
+        characters = mentions.describe_characters(self.printed, self.files)
         self.told = [*faults, *tables.told, *characters]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
@@ -254,7 +254,7 @@ class Document:
 
     def _find_signs(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         latex, branch = printed.latex.string, reader.notation.branch
-        held = [s for s in self._list_zeros_behind(printed) if s in self.known.constrained]
+        held = [s for s in self._list_zeros_after(printed) if s in self.known.constrained]
         self.known.held[printed.name] = held
         read = reader.parse(latex, printed.name, int(branch is None))
         read = calculate_sizes(read, self.symbols.bare)
@@ -271,7 +271,7 @@ class Document:
             return find_following(printed.name, read, self.known)
         return find_roles(printed.name, read, self.known)
 
-    def _list_zeros_behind(self, printed: Printed) -> Iterator[sp.Basic]:
+    def _list_zeros_after(self, printed: Printed) -> Iterator[sp.Basic]:
         """Yield the letters that are said to be zero after an equation on its line."""
         names = self.symbols.names
         line = printed.locate(self.files).line

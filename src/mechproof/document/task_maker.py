@@ -288,7 +288,7 @@ class TaskMaker:
     def _may_be_other(self, printed: Printed, sign: Sign) -> bool:
         """Return whether a letter that is printed again may be meant for another case."""
         if sign.role is Role.RELATION:
-            return self._is_behind_words(printed, sign)
+            return self._is_after_words(printed, sign)
         if sign.role not in (Role.REPEATED, Role.DERIVATIVE):
             return False
         first = next((one for one in self.printed if one.name == sign.first), None)
@@ -303,7 +303,7 @@ class TaskMaker:
         is_behind = first is None or first.announced.passage != said.passage
         return is_beside or (is_behind and (said.is_case or said.is_new))
 
-    def _is_behind_words(self, printed: Printed, sign: Sign) -> bool:
+    def _is_after_words(self, printed: Printed, sign: Sign) -> bool:
         """Return whether words that say something new follow a definition of a sign's letters."""
         names = {self.known.printed.get(letter) for letter in sign.printed}
         first = (one.announced.scope for one in self.printed if one.name in names)

@@ -36,7 +36,7 @@ _POSITIVE = sp.Interval.open(0, sp.oo)
 _ACUTE = sp.Interval.open(0, sp.pi / 2)
 
 
-def tell_never_true(task: Task, reason: str) -> str:
+def describe_never_true(task: Task, reason: str) -> str:
     """Return the reason that a row is proved to be true nowhere, or ""."""
     domain = Domain.of(task.paper, task.row.on)
     if said := next(_list_false_entries(task, domain), ""):

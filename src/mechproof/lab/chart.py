@@ -34,7 +34,7 @@ from mechproof.lab.chart_points import (
 )
 from mechproof.lab.labels import LOOKS, draw_mark, draw_panel, name_marks, set_signs, set_ticks
 from mechproof.lab.oracle import find_errors, find_truth
-from mechproof.lab.record_tables import find_searched, tell_proved, tell_where
+from mechproof.lab.record_tables import describe_proved, describe_where, find_searched
 from mechproof.lab.sampling.named_sets import REPORT, PointSet, draw_points
 from mechproof.lab.sampling.point_sets import list_sweeps
 from mechproof.lab.subject import Subject
@@ -74,7 +74,7 @@ def save(figure: Figure, stem: Path, says: str, records: Sequence[Record]) -> li
     """
     files = [stem.with_name(f"{stem.name}.{kind}") for kind in ("png", "svg")]
     stem.parent.mkdir(parents=True, exist_ok=True)
-    about = {"Title": says, "Description": tell_sources(records)}
+    about = {"Title": says, "Description": describe_sources(records)}
     with mpl.rc_context(STYLE):
         write_small_png(figure, files[0], about)
         figure.savefig(files[1], metadata={**about, "Date": None})
@@ -92,18 +92,18 @@ def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> Non
     few.save(file, optimize=True, pnginfo=info)
 
 
-def tell_sources(records: Sequence[Record]) -> str:
+def describe_sources(records: Sequence[Record]) -> str:
     """Return the sources of a picture: times of measurement and, for one quantity, its bounds."""
-    told = tell_proved(*records) if len(records) == 1 else {}
+    told = describe_proved(*records) if len(records) == 1 else {}
     return "; ".join((date_records(records), *(f"{way}: {text}" for way, text in told.items())))
 
 
 def date_records(records: Sequence[Record]) -> str:
     """Return when, and how thoroughly, the records drawn were taken."""
-    return f"{tell_how(records)} {', '.join(sorted({record.taken for record in records}))}"
+    return f"{describe_how(records)} {', '.join(sorted({record.taken for record in records}))}"
 
 
-def tell_how(records: Sequence[Record]) -> str:
+def describe_how(records: Sequence[Record]) -> str:
     """Return how records were taken: a quick one has few points and short times."""
     return "quickly measured" if any(record.quick for record in records) else "measured"
 
@@ -120,7 +120,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
     worst = collect_marks(record, workload, count)
     points = sum(row.points for row in record.errors_of(record.ways[0].name))
     panels = {
-        f"Usual calls{tell_usual(usual)}": collect_marks(record, workload, count, usual),
+        f"Usual calls{describe_usual(usual)}": collect_marks(record, workload, count, usual),
         f"The worst of {points:,} points, chosen to hurt": worst,
     }
     figure = Figure(figsize=(WIDTH, 8), dpi=DPI, layout="constrained")
@@ -137,11 +137,11 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
         axes.set_ylabel("worst error, eps")
     rows[-1].set_xlabel(_describe(record, workload, count))
     draw_key(figure, {mark.family for marks in panels.values() for mark in marks})
-    _write_names(figure, rows, list(panels.values()), count, copy, tell_proved(record))
+    _write_names(figure, rows, list(panels.values()), count, copy, describe_proved(record))
     return figure
 
 
-def tell_usual(name: str) -> str:
+def describe_usual(name: str) -> str:
     """Return the name of the usual set in brackets, or "" if it is just "usual"."""
     return "" if name == "usual" else f" ({name})"
 
@@ -151,7 +151,7 @@ def _describe(record: Record, workload: str, count: int) -> str:
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
         f"{record.taken[:10]}. Errors in {record.error_unit}."
     )
-    what = " ".join(filter(None, (what, record.lacking, tell_where(record))))
+    what = " ".join(filter(None, (what, record.lacking, describe_where(record))))
     return "\n".join(
         [
             "time per point, ns (in brackets: over that of the shipped kernel)",

@@ -54,7 +54,7 @@ class ChartPoint:
             return TURNS_LANE
         return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE
 
-    def tell_error(self) -> str:
+    def describe_error(self) -> str:
         """Return a verb phrase with the worst loss that was measured."""
         if self.turns:
             return "is somewhere wrong by whole turns"
@@ -174,7 +174,7 @@ def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
     """
     shipped, others = marks[0], [mark for mark in marks if mark.family != "shipped"]
     subject = "The shipped kernel" if shipped.name == "kernel" else shipped.name
-    seen = shipped.tell_error()
+    seen = shipped.describe_error()
     if shipped.has_digits and searched > shipped.error:
         seen += f" ({write_eps(searched)} eps by search)"
     if not others:
@@ -204,10 +204,10 @@ def _compare_times(shipped: ChartPoint, others: Sequence[ChartPoint]) -> str:
         return "none is faster"
     best = min(faster, key=rank)
     if len(faster) == 1:
-        return f"the only faster other {best.tell_error()}"
+        return f"the only faster other {best.describe_error()}"
     if not best.has_digits:
         kinds = {True: "whole turns", False: "every digit"}
         found = {mark.turns for mark in faster}
         lost = " or ".join(text for turns, text in kinds.items() if turns in found)
         return f"each of the {len(faster)} faster others somewhere loses {lost}"
-    return f"the best of the {len(faster)} faster others {best.tell_error()}"
+    return f"the best of the {len(faster)} faster others {best.describe_error()}"

@@ -21,7 +21,12 @@ from mechproof.measured import (
     SetErrors,
     Timing,
 )
-from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_bound, tell_place
+from mechproof.roundoff.certificate import (
+    Certificate,
+    RoundingClaim,
+    describe_bound,
+    describe_place,
+)
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY
 from mechproof.roundoff.steps import NORMAL
@@ -59,21 +64,21 @@ def find_searched(record: Record) -> Mapping[str, float]:
     return {way: max(error for name, error in found if name == way) for way, _ in found}
 
 
-def tell_proved(record: Record) -> Mapping[str, str]:
+def describe_proved(record: Record) -> Mapping[str, str]:
     """Return, for each way, the largest bound of its forms and the worst error found, in eps."""
     highest: dict[str, RoundingClaim] = {}
     for claim in sorted(list_claims(record), key=lambda claim: claim.proved):
         highest[find_way(record, claim)] = claim
     searched = find_searched(record)
     return {
-        way: f"{write_eps(searched[way])} by search, proved {AT_MOST} {tell_bound(claim)}"
+        way: f"{write_eps(searched[way])} by search, proved {AT_MOST} {describe_bound(claim)}"
         for way, claim in highest.items()
     }
 
 
-def tell_where(record: Record) -> str:
+def describe_where(record: Record) -> str:
     """Return the arguments for which the bounds hold, form by form; "" if there are no bounds."""
-    places = {claim.form: tell_place(claim.where) for claim in list_claims(record)}
+    places = {claim.form: describe_place(claim.where) for claim in list_claims(record)}
     told = "; ".join(f"{form}{place}" for form, place in places.items())
     return f"Proved: {told}; provided {NORMAL}." if told else ""
 
@@ -189,7 +194,7 @@ def _describe_claim(record: Record, claim: RoundingClaim, shared: Sequence[str])
         claim.form,
         claim.way.removesuffix("'s functions"),
         f"nothing shown: open at {claim.open}" if claim.open else where,
-        tell_bound(claim),
+        describe_bound(claim),
         f"{claim.found:g}",
         _number(record.worst_of(find_way(record, claim))),
         "; ".join(text for text in claim.assumptions if text not in shared),

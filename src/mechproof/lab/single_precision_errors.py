@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.docstrings import tell_bound
+from mechproof.codegen.docstrings import describe_bound
 from mechproof.lab.extended_oracle import extend
 from mechproof.lab.oracle import EPS
 from mechproof.lab.sampling.named_sets import TUNE, choose_evenly, join
@@ -231,7 +231,7 @@ def _state_error(subject: Subject, kernel: Kernel) -> str:
     quantity, worst = narrow(subject).quantity, round_up(found.scaled)
     if quantity.accuracy is None:
         return f"{worst:g} units in the last place at the worst of {found.tried} points"
-    told = tell_bound(replace(quantity, accuracy=replace(quantity.accuracy, ulp=worst)))
+    told = describe_bound(replace(quantity, accuracy=replace(quantity.accuracy, ulp=worst)))
     return f"{told}; the worst of {found.tried} points"
 
 

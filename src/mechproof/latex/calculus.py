@@ -104,7 +104,7 @@ def read_repeated(parser: Parser) -> tree.Node:
     return term
 
 
-def is_sum_beside(parser: Parser) -> bool:
+def is_double_sum(parser: Parser) -> bool:
     r"""Return whether a second sum over the index of the open sum follows as its factor.
 
     Reading it as a factor of the term would give the same value, \sum_{k=1}^nk\cdot\sum_{k=1}^nk,
@@ -233,7 +233,7 @@ def _read_integrand(parser: Parser, opened: OpenIntegral) -> tree.Node:
     start = parser.start
     if is_differential(parser):
         read_differential(parser, opened)
-        _refuse_factor_behind(parser)
+        _refuse_factor_after(parser)
         return tree.Number("1", start=start, end=start)
     terms = [parser.read_term()]
     _end_with_differential(parser, opened)
@@ -251,10 +251,10 @@ def _end_with_differential(parser: Parser, opened: OpenIntegral) -> None:
     if opened.differential is None and is_differential(parser):
         read_differential(parser, opened)
     if opened.differential is not None:
-        _refuse_factor_behind(parser)
+        _refuse_factor_after(parser)
 
 
-def _refuse_factor_behind(parser: Parser) -> None:
+def _refuse_factor_after(parser: Parser) -> None:
     opened = parser.integrals.pop()
     if not parser.ends_product():
         raise parser.refuse(

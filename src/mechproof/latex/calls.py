@@ -60,7 +60,7 @@ def read_call(parser: Parser, *, is_argument: bool = False) -> tree.Node:
             start,
         )
     if parser.text == "^" and (exponent or is_argument):
-        _refuse_power_behind(parser)
+        _refuse_power_after(parser)
     if parser.text == "^" and arguments:
         exponent = parser.read_script("^")
     return tree.Call(function, arguments, exponent, start=start, end=parser.end)
@@ -73,7 +73,7 @@ def _read_logarithm(parser: Parser) -> tree.Node:
     exponent = _read_exponent(parser, "log")
     natural = parser.functions[r"\ln"]
     above = tree.Call(natural, _read_arguments(parser, parser.place), start=start, end=parser.end)
-    _refuse_power_behind(parser)
+    _refuse_power_after(parser)
     below = tree.Call(natural, (base,), start=start, end=parser.end)
     quotient = tree.Quotient(above, below, start=start, end=parser.end)
     return tree.Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
@@ -117,7 +117,7 @@ def _read_arguments(parser: Parser, place: int) -> tuple[tree.Node, ...]:
         # A bracket that is typeset as a matrix.
         argument = argument.rows[0][0]
     printed = "".join(token.text for token in parser.tokens[place : parser.place])
-    if printed not in parser.factors and not _is_quantity_behind(parser, argument):
+    if printed not in parser.factors and not _is_quantity_after(parser, argument):
         _check_bracket(parser, place)
         _check_reach(parser)
     return (argument,)
@@ -139,7 +139,7 @@ def _read_bracketed(parser: Parser, place: int) -> tuple[tree.Node, ...]:
     if not isinstance(inside, tree.Add):
         return (bracket,)
     is_phase = _goes_on(parser, bracket, parser.place)
-    if is_phase and not _is_behind_space(parser):
+    if is_phase and not _follows_space(parser):
         phase = _read_phase(parser, [bracket])
         _check_bracket(parser, place)
         _check_reach(parser)
@@ -165,7 +165,7 @@ def _may_count(parser: Parser, inside: tree.Add) -> bool:
         return False
     if match := parser.names.match(parser.tokens, parser.place):
         return not known >= {*parts, match.name.symbol}
-    if parser.text not in (*_BRACKETS, r"\frac") or _is_behind_space(parser):
+    if parser.text not in (*_BRACKETS, r"\frac") or _follows_space(parser):
         return False
     counts = {count for count, _ in parser.notation.phases}
     return not side_conditions.is_bracketed(parser) and (parts <= counts or not known >= parts)
@@ -174,7 +174,7 @@ def _may_count(parser: Parser, inside: tree.Add) -> bool:
 def _read_grouped(parser: Parser) -> tuple[tree.Node, ...]:
     r"""Read \sin{x+1}: braces right after a function enclose its argument."""
     parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
-    _refuse_power_behind(parser)
+    _refuse_power_after(parser)
     first = parts[0]
     if len(parts) == 1 and isinstance(first, tree.Bracket | tree.Entries):
         return first.parts if isinstance(first, tree.Entries) else (first,)
@@ -182,7 +182,7 @@ def _read_grouped(parser: Parser) -> tuple[tree.Node, ...]:
     return tuple(parts)
 
 
-def _refuse_power_behind(parser: Parser) -> None:
+def _refuse_power_after(parser: Parser) -> None:
     if parser.text == "^":
         raise parser.refuse(
             "a power after the argument: of the function or of the argument?",
@@ -262,7 +262,7 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
     if not (texts and is_alone and parser.integrals) or texts[0] in parser.functions:
         return False
     has_angle = any(letter in known and known[letter].is_angle for letter in letters)
-    is_near = not (has_angle or _is_behind_space(parser))
+    is_near = not (has_angle or _follows_space(parser))
     # In a fraction, the numerator with the differential in it has already been read.
     read = parser.integrals[-1].differential
     is_over = isinstance(read, tree.Letter) and read.text == texts[0]
@@ -300,28 +300,28 @@ def _check_bracket(parser: Parser, place: int) -> None:
 
 def _is_apart(parser: Parser) -> bool:
     r"""Return whether a space separates the next bracket, fraction or root: \cos a\,(…)."""
-    return parser.text in ("(", "[", r"\frac", r"\sqrt") and _is_behind_space(parser)
+    return parser.text in ("(", "[", r"\frac", r"\sqrt") and _follows_space(parser)
 
 
-def _is_behind_space(parser: Parser) -> bool:
+def _follows_space(parser: Parser) -> bool:
     before = parser.tokens[parser.place - 1].end if parser.place else 0
     return bool(_SPACE.search(parser.source.latex[before : parser.start]))
 
 
-def _is_quantity_behind(parser: Parser, argument: tree.Node) -> bool:
+def _is_quantity_after(parser: Parser, argument: tree.Node) -> bool:
     r"""Return whether what follows an argument cannot be part of its angle: \cos\theta\,x.
 
     That holds for a letter with a dimension, or for a bracket of such letters without a quotient.
     """
     known, nodes = parser.notation.dimensions, [*tree.walk(argument)]
     letters = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
-    behind = {known.get(symbol) for symbol in _list_behind(parser)}
+    behind = {known.get(symbol) for symbol in _list_letters_after(parser)}
     is_quantity = None not in behind and bool(behind - {NUMBER})
     is_angle = bool(letters) or any(isinstance(node, tree.Degrees) for node in nodes)
     return is_quantity and is_angle and all(known.get(symbol) == NUMBER for symbol in letters)
 
 
-def _list_behind(parser: Parser) -> set[sp.Basic]:
+def _list_letters_after(parser: Parser) -> set[sp.Basic]:
     """Return the letter here, or the letters of a bracket; nothing if that contains a quotient."""
     end = parser.place + 1
     if parser.text in _BRACKETS:

@@ -34,7 +34,7 @@ def read_dotted_sum(parser: Parser, terms: Sequence[tuple[int, Node]], start: in
     """Read dots and the last term of the sum after them."""
     parser.place += 2
     last = parser.read_term()
-    _refuse_number_behind(parser)
+    _refuse_number_after(parser)
     return Dotted("sum", tuple(terms), last, start=start, end=parser.end)
 
 
@@ -50,12 +50,12 @@ def read_dotted_product(parser: Parser, factors: Sequence[Node], start: int) -> 
     while parser.text in (*DOTS, _DOTTED):
         parser.take()
     last = parser.read_factor()
-    _refuse_number_behind(parser)
+    _refuse_number_after(parser)
     terms = tuple((1, factor) for factor in factors)
     return Dotted("product", terms, (1, last), start=start, end=parser.end)
 
 
-def _refuse_number_behind(parser: Parser) -> None:
+def _refuse_number_after(parser: Parser) -> None:
     """Refuse a number after the last term, which may be a part of it: n-1."""
     if parser.text in parser.signs and is_digit(parser.peek()):
         raise parser.refuse(

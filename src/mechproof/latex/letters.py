@@ -100,7 +100,7 @@ def _multiplies(parser: Parser, letter: Letter) -> bool:
     return bracket is None or is_sum
 
 
-def read_argument_behind(parser: Parser, raised: Power | Transposed) -> Node:
+def read_argument_after(parser: Parser, raised: Power | Transposed) -> Node:
     r"""Read a declared name's bracket after its power: R^T(\theta) is R(\theta)^T.
 
     A power such as f^{-1}(x) is returned unchanged, as it may be an inverse function.

@@ -99,11 +99,11 @@ class Meaning:
         except ReadingError:
             raise
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
-            told = str(error) if isinstance(error, MeaningError) else self._tell_unfit(node)
+            told = str(error) if isinstance(error, MeaningError) else self._describe_unfit(node)
             raise self.source.refuse(node.start, told) from error
         # SymPy would evaluate such a power, for some matrices only and with those parameters.
         if self._raised > raised and not isinstance(node, tree.Power | tree.Bracket):
-            raise self.source.refuse(node.start, self._tell_unfit(node))
+            raise self.source.refuse(node.start, self._describe_unfit(node))
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
@@ -113,7 +113,7 @@ class Meaning:
             self._met |= dict.fromkeys(list_partial(found))
         return found
 
-    def _tell_unfit(self, node: tree.Node) -> str:
+    def _describe_unfit(self, node: tree.Node) -> str:
         """Return a message that parts do not fit together, naming the letters that are matrices."""
         letters = [part for part in tree.walk(node) if isinstance(part, tree.Letter)]
         values = {one.text: self.values.get(one.symbol, one.symbol) for one in letters}
@@ -193,18 +193,18 @@ class Meaning:
         base, exponent = self.of(node.base), self.of(node.exponent)
         if matrix_meaning.is_matrix(exponent):
             if settle_all(base, self.values) != sp.E:
-                raise self.source.refuse(node.start, self._tell_unfit(node))
+                raise self.source.refuse(node.start, self._describe_unfit(node))
             return give_exponential(exponent)
         if exponent == 2 and matrix_meaning.is_vector(base):
             shown = matrix_meaning.show_entries(base)
             return shown.dot(shown)
         if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
             if (power := matrix_meaning.raise_matrix(base, exponent)) is None:
-                raise self.source.refuse(node.start, self._tell_unfit(node))
+                raise self.source.refuse(node.start, self._describe_unfit(node))
             self._raised += 1
             return power
         if matrix_meaning.is_power(base):
-            raise self.source.refuse(node.start, self._tell_unfit(node))
+            raise self.source.refuse(node.start, self._describe_unfit(node))
         if isinstance(base, sp.MatrixBase) and exponent == -1 and base.is_square:
             self._divide_by(base.det(method="berkowitz"))
             return matrix_meaning.invert(base)

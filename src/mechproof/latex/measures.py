@@ -266,7 +266,7 @@ def _read_digits(node: tree.Node) -> tuple[str, str]:
     return "", ""
 
 
-def name_unit_behind(node: tree.Node) -> str:
+def name_unit_after(node: tree.Node) -> str:
     """Return the unit of a number, "" if it has none."""
     inside = split_sign(node)[1]
     return inside.unit if isinstance(inside, tree.Measure | tree.Calculated) else ""

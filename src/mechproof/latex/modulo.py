@@ -44,7 +44,7 @@ def read_congruence(parser: Parser, members: list[Node], relations: list[str]) -
     """Return the remainders that a congruence equates, or the members unchanged if it is none."""
     last = members[-1]
     if is_next(parser) and {*relations} <= {"=", r"\equiv"}:
-        by = _read_behind(parser)
+        by = _read_after(parser)
     elif relations[-1:] == [r"\equiv"] and isinstance(last, Call) and last.function is _REMAINDER:
         members[-1], by = last.arguments
     else:
@@ -56,7 +56,7 @@ def read_congruence(parser: Parser, members: list[Node], relations: list[str]) -
     ]
 
 
-def _read_behind(parser: Parser) -> Node:
+def _read_after(parser: Parser) -> Node:
     if parser.skip(*_BEHIND):
         return parser.read_group()
     parser.take("(")

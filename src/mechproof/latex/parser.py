@@ -265,7 +265,7 @@ class Parser:
             return self.bars[self.text] > 0
         is_word = self.text.startswith((r"\text", r"\end")) and not is_unit(self)
         ends = self.text in ENDING or self.text in self.signs
-        ends = ends or calculus.is_over(self) or calculus.is_sum_beside(self)
+        ends = ends or calculus.is_over(self) or calculus.is_double_sum(self)
         return is_word or ends or side_conditions.is_bracketed(self) or modulo.is_next(self)
 
     def _divide(self, factors: list[tree.Node], signs: list[str], start: int) -> tree.Node:
@@ -327,7 +327,7 @@ class Parser:
         raised = raised or tree.Power(base, self.read_script("^"), start=start, end=self.end)
         if not isinstance(raised, tree.Power | tree.Transposed):
             return raised
-        return letters.read_argument_behind(self, raised)
+        return letters.read_argument_after(self, raised)
 
     def read_script(self, mark: str) -> tree.Node:
         """Read the expression in a script."""

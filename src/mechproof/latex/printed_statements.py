@@ -248,16 +248,16 @@ def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
     for member, other in (members.printed, members.printed[::-1]):
         is_bare = isinstance(member, sp.Symbol | sp.Indexed | sp.MatrixSymbol)
         if is_bare and member not in reader.values and member not in other.free_symbols:
-            raise _tell_unknown(row, member)
+            raise _describe_unknown(row, member)
 
 
 def _refuse_unknown_entries(row: Row, *sides: Any) -> None:
     """Refuse matrices without known entries: nothing can be compared to them."""
     for symbol in sorted({s for side in sides for s in side.atoms(sp.MatrixSymbol)}, key=str):
-        raise _tell_unknown(row, symbol)
+        raise _describe_unknown(row, symbol)
 
 
-def _tell_unknown(row: Row, symbol: sp.Basic) -> ValueError:
+def _describe_unknown(row: Row, symbol: sp.Basic) -> ValueError:
     return ValueError(
         f"row {row.number!r}: nothing is known about {symbol}: give its value by our "
         "mechanics (`derived`), or mark it as introduced by the print (`defines`)"

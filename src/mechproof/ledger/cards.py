@@ -39,8 +39,8 @@ class Card:
 def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> Card:
     """Return the card of a finding, marking what the mend removes from the print and adds to it."""
     printed, general = found.printed_latex, found.corrected_latex
-    mend, by = found.mend_latex, _tell_proof(found.mend_by, found.mend_on)
-    corrected_by = _tell_proof(found.corrected_by, found.corrected_on)
+    mend, by = found.mend_latex, _describe_proof(found.mend_by, found.mend_on)
+    corrected_by = _describe_proof(found.corrected_by, found.corrected_on)
     if not mend:
         mend, by, general = general, corrected_by, ""
     general_by = corrected_by if general else ""
@@ -54,7 +54,7 @@ def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> C
     return Card(printed, mend, by, general, general_by, label)
 
 
-def _tell_proof(by: str, on: str) -> str:
+def _describe_proof(by: str, on: str) -> str:
     """Return how a formula is proved, and where it holds if not everywhere."""
     return f"{by}; where {on}" if by and on else by
 

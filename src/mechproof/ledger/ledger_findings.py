@@ -16,7 +16,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.ledger.costs import LedgerCost, show_witness
-from mechproof.proof.verdict import Judgement, Verdict, name_row, tell_print
+from mechproof.proof.verdict import Judgement, Verdict, describe_print, name_row
 from mechproof.record import (
     Check,
     Conjunction,
@@ -81,7 +81,7 @@ class LedgerFinding:
         """Return the JSON record."""
         written = {field.name: getattr(self, field.name) for field in fields(self)}
         place = written.pop("place")
-        written |= tell_print(written.pop("printed_latex"), is_source=place is not None)
+        written |= describe_print(written.pop("printed_latex"), is_source=place is not None)
         lists = {name: list(written[name]) for name in ("marks", "follows")}
         said = {"verdict": self.verdict.value, "weight": WEIGHTS[self.weight]}
         said |= {"place": str(place)} if place else {}

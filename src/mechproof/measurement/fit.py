@@ -150,7 +150,7 @@ def _conclude(problem: FittingProblem, minima: list[Minimum], uncertainty: float
     for other in minima[1:]:
         apart = np.abs(other.sizes - best.sizes) > SAME * np.maximum(1, np.abs(best.sizes))
         if apart.any() and other.square - best.square < CLEARANCE * noise**2:
-            sets = " and ".join(", ".join(problem.tell(m)) for m in (best, other))
+            sets = " and ".join(", ".join(problem.describe(m)) for m in (best, other))
             text = f"these readings do not distinguish {sets}"
             refuse("phi1", problem.angles, f"{text}; narrow ratio, or read at uneven angles")
     jacobian = problem.differentiate(best.values)

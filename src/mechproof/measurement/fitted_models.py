@@ -100,7 +100,7 @@ class FittingProblem:
             square = float(np.sum(self.find_errors(values) ** 2))
             yield Minimum(values, values[: len(self.model.fitted)], square)
 
-    def tell(self, minimum: Minimum) -> list[str]:
+    def describe(self, minimum: Minimum) -> list[str]:
         """Write the sizes of a minimum."""
         return [f"{n} = {v:.6g}" for n, v in zip(self.model.fitted, minimum.sizes, strict=True)]
 

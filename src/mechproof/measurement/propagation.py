@@ -28,7 +28,7 @@ from mechproof.arguments.scalars import (
 )
 from mechproof.derivatives import differentiate
 from mechproof.measurement.estimate import Estimate
-from mechproof.tools.extras import tell_missing
+from mechproof.tools.extras import describe_missing
 
 Correlations = Mapping[tuple[str, str], float]
 NONE: Correlations = MappingProxyType({})
@@ -224,5 +224,5 @@ def _load() -> Any:
     try:
         import uncertainties
     except ImportError as error:
-        raise ImportError(tell_missing("a ufloat", "uncertain", error.name)) from error
+        raise ImportError(describe_missing("a ufloat", "uncertain", error.name)) from error
     return uncertainties

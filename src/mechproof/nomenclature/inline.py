@@ -114,7 +114,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
         offset = source.text.offsets[match.start()]
         line = source.files.locate(offset).line
-        behind, _ = _find_unit_behind(text[match.end() : match.end() + _BEHIND])
+        behind, _ = _find_unit_after(text[match.end() : match.end() + _BEHIND])
         before = _drop_joined(text[max(match.start() - _FAR, 0) : match.start()])[-_BEFORE:]
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
@@ -167,7 +167,7 @@ def defines_nothing(before: str) -> bool:
     return bool(_NO_DEFINITION.search(before)) and not _DEFINING.search(before)
 
 
-def _find_unit_behind(text: str) -> tuple[str, Unit]:
+def _find_unit_after(text: str) -> tuple[str, Unit]:
     """Return the longest print of a unit that begins a text, and the unit; ("", ONE) if none."""
     ends = [end.start() for end in _ENDS.finditer(text)]
     units = ((text[:end], find_unit(text[:end])) for end in reversed(ends))
@@ -221,7 +221,7 @@ def find_quantities(source: Source) -> Iterator[SaidQuantity]:
     """Yield the numbers with a unit outside displays."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _SAID.finditer(text):
-        printed, unit = _find_unit_behind(match["behind"])
+        printed, unit = _find_unit_after(match["behind"])
         if printed:
             line = source.files.locate(source.text.offsets[match.start()]).line
             shown = f"{match['digits']}{printed}".replace("$", "").strip()

@@ -218,11 +218,11 @@ def bound_one(
         largest.count,
         time.process_time() - start,
         program.assumptions,
-        "" if largest.open is None else _tell_part(program, largest.open),
+        "" if largest.open is None else _describe_part(program, largest.open),
     )
 
 
-def _tell_part(program: BoxedProgram, box: Box) -> str:
+def _describe_part(program: BoxedProgram, box: Box) -> str:
     ends = zip(program.straight.inputs, box, strict=True)
     return ", ".join(f"{low:g} <= {name} <= {high:g}" for name, (low, high) in ends)
 

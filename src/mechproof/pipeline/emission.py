@@ -13,7 +13,7 @@ from pathlib import Path
 from mechproof.codegen.backends.c99 import render_c, render_c_derivatives, render_makefile
 from mechproof.codegen.backends.standalone_functions import render_scripts
 from mechproof.lab.single_precision_errors import state_errors
-from mechproof.pipeline.judging import Progress, judge_papers, refuse_failures, tell_nobody
+from mechproof.pipeline.judging import Progress, judge_papers, refuse_failures, report_nothing
 from mechproof.pipeline.stages import list_unmeant
 from mechproof.record import Paper
 
@@ -31,7 +31,7 @@ def emit_c(
     *,
     float32: bool = False,
     derivatives: bool = False,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> Iterator[Emitted]:
     """Write the kernels of each paper in C, or their derivatives, and finally a Makefile.
 
@@ -50,7 +50,7 @@ def emit_c(
 
 
 def emit_scripts(
-    language: str, locations: Sequence[Path], *, progress: Progress = tell_nobody
+    language: str, locations: Sequence[Path], *, progress: Progress = report_nothing
 ) -> Iterator[Emitted]:
     """Write the kernels of each paper in a scripting language. Raises `PipelineError`."""
     for _, paper in _judge(locations, progress):

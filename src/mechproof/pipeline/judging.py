@@ -20,7 +20,7 @@ class PipelineError(RuntimeError):
 
 
 @contextmanager
-def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
+def report_nothing(title: str) -> Iterator[Callable[[str], None]]:
     """Run a stage without reporting."""
     yield lambda text: None
 
@@ -40,7 +40,7 @@ def judge_papers(
     use_cache: bool = True,
     limit: float = verification.LIMIT,
     only_kernels: bool = False,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> list[JudgedPaper]:
     """Judge the papers, or with `only_kernels` just the rows on which shipped code rests."""
     title = name_judging(locations, "the kernels of " if only_kernels else "")
@@ -55,7 +55,7 @@ def read_ledgers(
     *,
     use_cache: bool = True,
     limit: float = verification.LIMIT,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> list[Ledger]:
     """Judge the papers that have changed, and read the cached ledgers of the others."""
     title = name_judging(locations)

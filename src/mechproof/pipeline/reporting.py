@@ -13,7 +13,7 @@ from pathlib import Path
 from mechproof import report
 from mechproof.derivation import DerivationError
 from mechproof.ledger.judged import Ledger
-from mechproof.pipeline.judging import Progress, name_faults, read_ledgers, tell_nobody
+from mechproof.pipeline.judging import Progress, name_faults, read_ledgers, report_nothing
 from mechproof.pipeline.ledger_cache import LedgerCache
 from mechproof.pipeline.verification import LIMIT, VerificationError, list_failures, restore_papers
 from mechproof.tools.files import write_whole
@@ -27,7 +27,7 @@ def write_report(
     single: bool = False,
     use_cache: bool = True,
     limit: float = LIMIT,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> tuple[int, list[str]]:
     """Write the report of papers, in one file if `single`; return the file count and failures.
 

@@ -68,7 +68,7 @@ def certify(
     one_in: int = 1,
     use_cache: bool = True,
     limit: float = LIMIT,
-    progress: judging.Progress = judging.tell_nobody,
+    progress: judging.Progress = judging.report_nothing,
 ) -> Iterator[Certified]:
     """Write the scripts of papers into a folder; with `check` have Coq check one in `one_in`.
 

@@ -36,12 +36,12 @@ from mechproof.pipeline.judging import (
     judge_papers,
     name_faults,
     refuse_failures,
-    tell_nobody,
+    report_nothing,
 )
 from mechproof.pipeline.verification import LIMIT
 from mechproof.programs.kernel import build_functions, list_functions
 from mechproof.record import Paper
-from mechproof.roundoff.certificate import Certificate, RoundingClaim, tell_proofs
+from mechproof.roundoff.certificate import Certificate, RoundingClaim, describe_proofs
 from mechproof.roundoff.certificate_files import (
     CERTIFIED,
     certify_kernel,
@@ -85,7 +85,7 @@ def regenerate(
     check: bool = False,
     use_cache: bool = True,
     limit: float = LIMIT,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> Regenerated:
     """Generate the package of the derivations at these places into the folder `generated`.
 
@@ -121,7 +121,7 @@ def _render(
     checks: Mapping[str, str],
 ) -> dict[str, str]:
     pairs = zip((ledger.paper for ledger in ledgers), certificates, strict=True)
-    papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
+    papers = [describe_proofs(paper, certificate) for paper, certificate in pairs]
     for paper in papers:
         read_derivatives_back(paper)
     # Only the package itself has all of these systems.
@@ -149,7 +149,7 @@ def measure(
     *,
     quick: bool = False,
     processes: int = 1,
-    progress: Progress = tell_nobody,
+    progress: Progress = report_nothing,
 ) -> Iterator[tuple[Path, str]]:
     """Measure the errors and times of the ways of computing quantities.
 

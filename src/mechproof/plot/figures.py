@@ -139,10 +139,10 @@ def _draw_on(figure: Figure, canvas: Any) -> None:
         try:
             figure.draw(canvas)
         except Exception as error:
-            raise DrawingError(_tell(figure, _find_line(error), error)) from error
+            raise DrawingError(_describe(figure, _find_line(error), error)) from error
 
 
-def _tell(figure: Figure, line: str, error: Exception) -> str:
+def _describe(figure: Figure, line: str, error: Exception) -> str:
     """Return a line that states which figure failed, and why."""
     what = " ".join(f"{type(error).__name__}: {error}".split())
     return f"{figure.name}: {line}{what}"
@@ -211,7 +211,7 @@ def _blame(figure: Figure) -> Iterator[None]:
     try:
         yield
     except Exception as error:
-        raise DrawingError(_tell(figure, "", error)) from error
+        raise DrawingError(_describe(figure, "", error)) from error
 
 
 def write_svg(canvas: Canvas, title: str) -> str:

@@ -22,7 +22,7 @@ _FARTHEST = 4
 _MOST_TERMS = 8
 
 
-def tell_order(left: Any, right: Any, domain: Domain) -> str:
+def describe_order(left: Any, right: Any, domain: Domain) -> str:
     """Say with which power the difference of two sides begins where a letter is small."""
     left, right = domain.resolve(left), domain.resolve(right)
     if not (isinstance(left, sp.Expr) and isinstance(right, sp.Expr)):

@@ -22,7 +22,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import write_by_sines
-from mechproof.proof.definedness import narrow_to, tell
+from mechproof.proof.definedness import describe, narrow_to
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
@@ -49,7 +49,7 @@ _SHARES = tuple(sp.Rational(k, 64) for k in (1, 8, 32, 56, 63))
 _ALL = Domain({}, (), {})
 
 
-def tell_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
+def describe_divergence(sides: tuple[Any, Any], domain: Domain) -> str:
     """Report why a side has no value although the other is a number; "" if that is not shown."""
     endless = [side for side in sides if has_parts(side, *ENDLESS)]
     has_others = any(side.has(sp.oo, sp.nan, sp.zoo) for side in sides if side not in endless)
@@ -102,7 +102,7 @@ def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:
 def _has_none(side: sp.Expr) -> bool:
     """Return whether a number contains an integral that is shown to have no value."""
     nodes = find_parts(side, sp.Integral)
-    return any(_lacks_integrand(one) or _tell_integral(one, _ALL) for one in nodes)
+    return any(_lacks_integrand(one) or _describe_integral(one, _ALL) for one in nodes)
 
 
 def _lacks_integrand(integral: sp.Integral) -> bool:
@@ -123,7 +123,7 @@ def _is_term(node: sp.Expr, side: sp.Expr, domain: Domain) -> bool:
     return not factor.has(name) and is_nonzero(factor, domain)
 
 
-def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
+def _describe_integral(integral: sp.Integral, domain: Domain) -> str:
     if is_iterated(integral) or len(integral.limits[0]) < 3:
         return ""
     variable, low, high = integral.limits[0]
@@ -134,10 +134,10 @@ def _tell_integral(integral: sp.Integral, domain: Domain) -> str:
     if not (low.is_infinite or high.is_infinite or is_nonzero(high - low, domain)):
         return ""
     pieces = cut_at_poles(integral)
-    return next(filter(None, (_tell_piece(piece, domain) for piece in pieces)), "")
+    return next(filter(None, (_describe_piece(piece, domain) for piece in pieces)), "")
 
 
-def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
+def _describe_piece(piece: sp.Integral, domain: Domain) -> str:
     """Report at which end an integrand is like 1/x, or an antiderivative diverges or oscillates."""
     variable, *limits = piece.limits[0]
     for place, side in zip(limits, (1, -1), strict=True):
@@ -157,7 +157,7 @@ def _tell_piece(piece: sp.Integral, domain: Domain) -> str:
     return ""
 
 
-def _tell_sum(total: sp.Sum, domain: Domain) -> str:
+def _describe_sum(total: sp.Sum, domain: Domain) -> str:
     """Report that the moduli of the terms do not tend to zero, or return ""."""
     if (read := read_endless(total)) is None:
         return ""
@@ -174,7 +174,7 @@ def _write_size(factor: sp.Expr, domain: Domain) -> sp.Expr:
     return (-base) ** exponent if is_positive(-base, domain) else factor
 
 
-def _tell_limit(limit: sp.Limit, domain: Domain) -> str:
+def _describe_limit(limit: sp.Limit, domain: Domain) -> str:
     body, variable, point, _ = limit.args
     name = variable.name.strip("_")
     is_met = point.is_infinite and not variable.is_integer and name not in _WHOLE
@@ -213,9 +213,9 @@ def _differ(one: sp.Expr, other: sp.Expr, domain: Domain) -> bool:
 
 
 _RULES: Mapping[type[sp.Expr], Callable[[Any, Domain], str]] = {
-    sp.Integral: _tell_integral,
-    sp.Sum: _tell_sum,
-    sp.Limit: _tell_limit,
+    sp.Integral: _describe_integral,
+    sp.Sum: _describe_sum,
+    sp.Limit: _describe_limit,
     sp.Product: lambda node, domain: "",
 }
 
@@ -252,7 +252,7 @@ def _write(need: Slack) -> str:
     letters = sorted(number.free_symbols, key=str)
     slope = sp.diff(number, letters[0])
     if not slope.is_number or len(sp.Add.make_args(number)) > 2:
-        return tell(need)
+        return describe(need)
     bound = sp.cancel(letters[0] - number / slope)
     sign = ">" if slope > 0 else "<"
     return f"{letters[0]} {sign}{'' if strict else '='} {bound}"

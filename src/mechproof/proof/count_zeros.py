@@ -43,7 +43,7 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
     return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in zeros)), "")
 
 
-def tell_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
+def describe_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
     """Report where a factorial in a denominator has a negative argument, or return ""."""
     divisors = {d for side in sides for d in list_divisors(side) if find_free(d) <= find_free(side)}
     below = sorted((d for d in divisors if isinstance(d, sp.factorial)), key=sp.default_sort_key)
@@ -119,7 +119,7 @@ def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -
     return roots
 
 
-def tell_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
+def describe_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
     """Report which cancelled divisor is zero, at a count or at more than single points.
 
     Returns "" if there is none.

@@ -32,10 +32,10 @@ class InnerNeed(NamedTuple):
     need: Slack
     limits: tuple[sp.Tuple, ...]
 
-    def tell(self) -> str:
+    def describe(self) -> str:
         """Write it as a relation with the ranges of its variables."""
         runs = (f"{v} from {low} to {high}" for v, low, high in self.limits)
-        return f"{tell(self.need)} for {' and '.join(runs)}"
+        return f"{describe(self.need)} for {' and '.join(runs)}"
 
 
 def list_unshown_inside(expression: sp.Basic, domain: Domain) -> list[InnerNeed]:
@@ -148,7 +148,7 @@ def narrow_to(domain: Domain, needs: Sequence[Slack]) -> Domain | None:
     return domain
 
 
-def tell(need: Slack) -> str:
+def describe(need: Slack) -> str:
     """Write a condition as a relation."""
     number, strict = need
     return f"{number} {'>' if strict else '>='} 0"

@@ -24,13 +24,13 @@ from mechproof.proof.cases import (
 from mechproof.proof.continuity import decide_by_derivative, explain_break
 from mechproof.proof.convergence import (
     RUNG as DIVERGENCE,
+    describe_divergence,
     lack_values_alike,
-    tell_divergence,
 )
 from mechproof.proof.count_zeros import (
+    describe_zero_quotients,
     find_count_without_value,
     find_edge_without_value,
-    tell_zero_quotients,
 )
 from mechproof.proof.definedness import (
     list_necessary,
@@ -60,16 +60,16 @@ from mechproof.proof.integrals import (
 )
 from mechproof.proof.inverses import ROOT, decide_by_argument, decide_by_inverse
 from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
-from mechproof.proof.limits import FROM_SIDES, settle_limits, tell_jump, tell_missing_limit
+from mechproof.proof.limits import FROM_SIDES, describe_jump, describe_missing_limit, settle_limits
 from mechproof.proof.powers import decide_by_logarithms, split_powers, take_signs, write_roots
 from mechproof.proof.reasons import (
     WORST_FIRST,
     count_parts,
+    describe_inside,
+    describe_needs,
     join_answers,
     join_rungs,
     report_unproved,
-    tell_inside,
-    tell_needs,
 )
 from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
 from mechproof.proof.split_ranges import list_periods
@@ -194,9 +194,9 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
     if found := settle_by_parts(printed, rebuilt, domain, prove_equal):
         answer = decide_sides(found.printed, found.rebuilt, domain)
         return replace(answer, rung=f"{found.rung}, {answer.rung}")
-    if told := tell_missing_limit((printed, rebuilt), domain):
+    if told := describe_missing_limit((printed, rebuilt), domain):
         return Answer(Verdict.REFUTED, FROM_SIDES, told, (Evidence(told),))
-    if told := tell_divergence((printed, rebuilt), domain):
+    if told := describe_divergence((printed, rebuilt), domain):
         return Answer(Verdict.REFUTED, DIVERGENCE, told, (Evidence(told),))
     if limits := find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit):
         body, letter, point, _ = min(limits, key=str).args
@@ -246,7 +246,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
             return _report_equal(sides, domain, rung)
         if lack_values_alike(sides, domain):
             return _report_equal(sides, domain, rung, is_alike=True)
-        needed = tell_needs([list_unshown(side, domain) for side in sides])
+        needed = describe_needs([list_unshown(side, domain) for side in sides])
         reason = f"both sides agree where {needed}, which is not stated"
         return Answer(Verdict.UNDECIDED, rung, reason)
     comparison = compare(printed, rebuilt, domain)
@@ -268,9 +268,9 @@ def _report_equal(
     part = narrow_to(domain, [*chain(*needs)]) if is_alike else None
     inside = [list_unshown_inside(side, part or domain) for side in sides]
     if {*inside[0]} != {*inside[1]}:
-        return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
-    needed = tell_needs(needs)
-    if told := tell_jump(sides, domain):
+        return Answer(Verdict.UNDECIDED, rung, describe_inside(inside))
+    needed = describe_needs(needs)
+    if told := describe_jump(sides, domain):
         return Answer(Verdict.UNDECIDED, rung, f"the differentiated function jumps: {told}")
     if any(has_parts(side, DerivativeWhere) for side in sides):
         domain = narrow_to(domain, [n for side in sides for n in list_needed(side)]) or domain
@@ -280,7 +280,7 @@ def _report_equal(
         unsaid = f"; not stated: {needed}" if needed else ""
         return Answer(Verdict.UNDECIDED, rung, reason + unsaid)
     where = f"where {needed}" if needed else "wherever they are defined"
-    said = filter(None, (f"both sides agree {where}", tell_zero_quotients(sides, domain)))
+    said = filter(None, (f"both sides agree {where}", describe_zero_quotients(sides, domain)))
     return Answer(Verdict.PROVED, rung, "; ".join(said))
 
 

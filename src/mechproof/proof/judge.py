@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.proof.cases import narrow
 from mechproof.proof.comparison_latex import write_compared
-from mechproof.proof.count_zeros import tell_division_by_zero
+from mechproof.proof.count_zeros import describe_division_by_zero
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
 from mechproof.proof.reasons import join_rungs
@@ -104,7 +104,9 @@ def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
     faults = find_faults(says, known, domain, mended=mended)
     if not faults:
         answer = _decide_where_it_divides(row, domain)
-        undefined = answer.verdict is Verdict.PROVED and tell_division_by_zero(row.divisors, domain)
+        undefined = answer.verdict is Verdict.PROVED and describe_division_by_zero(
+            row.divisors, domain
+        )
         return replace(answer, verdict=Verdict.UNDECIDED, reason=undefined) if undefined else answer
     rungs = join_rungs([fault.rung for fault in faults])
     reason = "; ".join(fault.reason for fault in faults)

@@ -18,7 +18,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from mechproof.proof import descents, integrand_signs, newton
-from mechproof.proof.approximations import tell_order
+from mechproof.proof.approximations import describe_order
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
@@ -32,11 +32,11 @@ from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, put_values
 from mechproof.proof.integrand_signs import holds_by_integrand
 from mechproof.proof.reasons import (
     count_parts,
+    describe_inside,
+    describe_needs,
     explain_relation,
     join_answers,
     join_rungs,
-    tell_inside,
-    tell_needs,
 )
 from mechproof.proof.refutation import BALLS, POINTS, find_undefined, find_violation
 from mechproof.proof.signs import is_nonzero, is_shown
@@ -128,7 +128,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     inside = [list_unshown_inside(side, domain) for side in statement.relation.args]
     if relation in (sp.true, sp.false) or not find_free(relation):
         if any(inside):
-            return Answer(Verdict.UNDECIDED, "none", tell_inside(inside))
+            return Answer(Verdict.UNDECIDED, "none", describe_inside(inside))
         answer = _decide_numbers(statement.relation, relation, domain)
         if answer.verdict is not Verdict.UNDECIDED or not has_parts(relation, sp.Integral):
             return answer
@@ -140,8 +140,8 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return Answer(Verdict.REFUTED, BALLS, reason, (violation,))
     if rung := prove_relation(take_values(relation), domain):
         if any(inside):
-            return Answer(Verdict.UNDECIDED, rung, tell_inside(inside))
-        needed = tell_needs([list_unshown(side, domain) for side in relation.args])
+            return Answer(Verdict.UNDECIDED, rung, describe_inside(inside))
+        needed = describe_needs([list_unshown(side, domain) for side in relation.args])
         count = POINTS if needed else CROSS_EXAMINATION
         if undefined := find_undefined(relation.args, domain, count):
             reason = f"true wherever it is defined; it is undefined at {undefined}"
@@ -238,7 +238,7 @@ _RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     Conjunction: _decide_conjunction,
     Completions: _decide_completions,
     Nearly: lambda statement, domain: Answer(
-        Verdict.UNDECIDED, "none", tell_order(statement.left, statement.right, domain)
+        Verdict.UNDECIDED, "none", describe_order(statement.left, statement.right, domain)
     ),
     NotCheckable: lambda statement, domain: Answer(
         Verdict.NOT_CHECKABLE, UNCOMPARED, f"not checkable: {statement.lacks}"

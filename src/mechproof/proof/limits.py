@@ -180,14 +180,14 @@ def _may_come(variable: sp.Symbol, point: sp.Expr, side: int, domain: Domain) ->
     return bool(point.is_infinite) or not any(sign and sign.direction < 0 for sign in signs)
 
 
-def tell_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:
+def describe_missing_limit(sides: tuple[Any, Any], domain: Domain) -> str:
     """Report why one side is a limit that does not exist, or "" if that is not shown."""
     alone = [side for side in sides if isinstance(side, sp.Limit)]
-    told = _tell_unlike(alone[0], domain) if len(alone) == 1 else ""
+    told = _describe_unlike(alone[0], domain) if len(alone) == 1 else ""
     return f"{told}: there is no limit" if told else ""
 
 
-def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
+def _describe_unlike(limit: sp.Limit, domain: Domain) -> str:
     """Report the limits from both sides if they differ and at least one is finite, else ""."""
     body, variable, point, direction = limit.args
     if by_parity := _list_by_parity(limit, domain):
@@ -203,7 +203,7 @@ def _tell_unlike(limit: sp.Limit, domain: Domain) -> str:
     return shown if is_unlike else ""
 
 
-def tell_jump(sides: tuple[Any, Any], domain: Domain) -> str:
+def describe_jump(sides: tuple[Any, Any], domain: Domain) -> str:
     """Report a jump of a differentiated expression at a zero of a sign's or modulus's argument."""
     derived = {node for side in sides for node in find_parts(side, DerivativeWhere)}
     needed = {value for node in derived for value in node.args[1].atoms(ValueWhere)}
@@ -213,7 +213,7 @@ def tell_jump(sides: tuple[Any, Any], domain: Domain) -> str:
         for x in value.args[1].free_symbols
         for zero in list_zeros_between(1 / value.args[1], x, -_FAR, _FAR)
     )
-    return next(filter(None, (_tell_unlike(limit, domain) for limit in limits)), "")
+    return next(filter(None, (_describe_unlike(limit, domain) for limit in limits)), "")
 
 
 def _find_smooth(

@@ -174,11 +174,11 @@ def _name_fault(given: Bracketed) -> str:
     if not isolated.parts:
         return "there is no root in the bracket"
     if not isolated.is_one:
-        return _tell_parts(given, isolated.parts)
+        return _describe_parts(given, isolated.parts)
     return "" if given.changes_sign() else "no change of sign is shown between the bracket's ends"
 
 
-def _tell_parts(given: Bracketed, parts: tuple[balls.Ball, ...]) -> str:
+def _describe_parts(given: Bracketed, parts: tuple[balls.Ball, ...]) -> str:
     """Report roots shown by changes of sign, or else where the derivative has no one sign."""
     kept = [parts[0]]
     for part in parts[1:]:
@@ -222,10 +222,10 @@ def _describe(task: _Task, box: Box) -> str:
     at = ", ".join(f"{symbol} = {place:.6g}" for symbol, (place, _) in named)
     where = f"{'around' if shown else 'at'} {at}: " if at else ""
     given = task.bracket(values)
-    return f"{where}{_name_fault(given) or _tell_errors(given, task, values)}"
+    return f"{where}{_name_fault(given) or _describe_errors(given, task, values)}"
 
 
-def _tell_errors(given: Bracketed, task: _Task, values: dict[sp.Basic, balls.Ball]) -> str:
+def _describe_errors(given: Bracketed, task: _Task, values: dict[sp.Basic, balls.Ball]) -> str:
     steps, limit = task.root.steps, _run(task.bound, values)
     errors = list(_list_errors(given, MOST_STEPS))
     enough = [k for k, error in enumerate(errors) if error <= limit]

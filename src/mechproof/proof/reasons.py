@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.proof import newton
-from mechproof.proof.definedness import InnerNeed, tell
+from mechproof.proof.definedness import InnerNeed, describe
 from mechproof.proof.refutation import Comparison
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.proof.witness_text import LONGEST, clip
@@ -31,15 +31,15 @@ def join_answers(failed: Mapping[str, Answer], rung: str = "") -> Answer:
     return replace(worst, rung=rung, reason=reason, evidence=tuple(evidence))
 
 
-def tell_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
+def describe_inside(needs: Sequence[Sequence[InnerNeed]]) -> str:
     """State the unproved conditions of terms of sums and of integrands."""
-    told = dict.fromkeys(need.tell() for listed in needs for need in listed)
+    told = dict.fromkeys(need.describe() for listed in needs for need in listed)
     return clip(f"it is true where {' and '.join(told)}, which is not shown")
 
 
-def tell_needs(needs: Sequence[list[Slack]]) -> str:
+def describe_needs(needs: Sequence[list[Slack]]) -> str:
     """State the unproved conditions of roots, logarithms and so on, or "" if there are none."""
-    told = " and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed))
+    told = " and ".join(dict.fromkeys(describe(need) for listed in needs for need in listed))
     return told if len(told) <= LONGEST else "every root and logarithm has a real value"
 
 

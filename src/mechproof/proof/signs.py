@@ -137,12 +137,12 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
     is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
     if not (said and is_small and _is_quotient(expression)):
         return None
-    if whole := _find_said(expression, said):
+    if whole := _find_stated_sign(expression, said):
         return whole
     met: list[StrictSign] = []
 
     def find(base: sp.Expr) -> StrictSign | None:
-        if one := _find_said(base, said):
+        if one := _find_stated_sign(base, said):
             met.append(one)
         return one or (find_sign(base, domain) if base != expression else None)
 
@@ -198,7 +198,7 @@ def _is_quotient(expression: sp.Expr) -> bool:
     return bool(named.is_rational_function())
 
 
-def _find_said(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
+def _find_stated_sign(number: sp.Expr, said: Sequence[Slack]) -> StrictSign | None:
     """Return the sign of a number that is a multiple of a slack given by a relation."""
     for value, strict in said:
         above, below = cancel(number / value)
@@ -211,7 +211,7 @@ def is_positive(expression: sp.Expr, domain: Domain) -> bool:
     """Return whether an expression is proved to be positive on the domain."""
     sign = find_sign(expression, domain)
     has_direction = sign is not None and sign.direction > 0
-    return has_direction and (_is_strict(sign) or _is_said_nonzero(expression, domain))
+    return has_direction and (_is_strict(sign) or _is_stated_nonzero(expression, domain))
 
 
 def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
@@ -222,19 +222,19 @@ def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
 
 def is_nonzero(expression: sp.Expr, domain: Domain) -> bool:
     """Return whether an expression is proved, by its sign or a relation, to have no zero."""
-    return _is_strict(find_sign(expression, domain)) or _is_said_nonzero(expression, domain)
+    return _is_strict(find_sign(expression, domain)) or _is_stated_nonzero(expression, domain)
 
 
-def _is_said_nonzero(expression: sp.Expr, domain: Domain) -> bool:
+def _is_stated_nonzero(expression: sp.Expr, domain: Domain) -> bool:
     """Return whether each factor has a strict sign or is stated to be nonzero."""
     said = [r.lhs - r.rhs for r in domain.where if isinstance(r, sp.Unequality)]
     if not said or expression.count_ops() > _MOST_FACTORED:
         return False
     bases = [f.as_base_exp()[0] for f in sp.Mul.make_args(sp.factor(domain.resolve(expression)))]
-    return all(_is_said(base, said) or _is_strict(find_sign(base, domain)) for base in bases)
+    return all(_is_stated(base, said) or _is_strict(find_sign(base, domain)) for base in bases)
 
 
-def _is_said(base: sp.Expr, said: Sequence[sp.Expr]) -> bool:
+def _is_stated(base: sp.Expr, said: Sequence[sp.Expr]) -> bool:
     """Return whether a number is a multiple of one that is stated to be nonzero."""
     ratios = (sp.cancel(base / number) for number in said)
     return any(ratio.is_number and ratio != 0 for ratio in ratios)

@@ -73,7 +73,7 @@ def name_row(system: str, number: str) -> str:
     return f"{system}/{name_anchor(number)}"
 
 
-def tell_print(latex: str, *, is_source: bool) -> dict[str, str]:
+def describe_print(latex: str, *, is_source: bool) -> dict[str, str]:
     """Return a text under "print" if it is verbatim, else under "paraphrase": in our words.
 
     Everything read from a paper's own source is verbatim.
@@ -99,7 +99,7 @@ class Left:
             "number": self.number,
             "place": str(self.place),
             "state": self.state.value,
-            **tell_print(self.printed_latex, is_source=True),
+            **describe_print(self.printed_latex, is_source=True),
             "reason": self.reason,
             "remedy": self.remedy,
         }
@@ -191,7 +191,7 @@ class Judgement(Displayed):
             "reason": self.reason,
             "rung": self.rung,
             "marks": list(self.marks),
-            **tell_print(self.printed_latex, is_source=self.place is not None),
+            **describe_print(self.printed_latex, is_source=self.place is not None),
             "read_as": self.read_as,
             "compared_with": self.compared_with,
             "on": self.on,

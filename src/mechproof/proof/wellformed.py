@@ -45,7 +45,7 @@ UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
 POINTS = 2
 
 
-def _tell(reason: str, witness: Evidence, rung: str = "well-formedness") -> Answer:
+def _describe(reason: str, witness: Evidence, rung: str = "well-formedness") -> Answer:
     return Answer(Verdict.ILL_FORMED, rung, reason, (witness,))
 
 
@@ -94,7 +94,7 @@ def _find_missing_differential(printed: sp.Basic) -> Answer | None:
     integrand = next(iter(integrals)).args[0]
     names = ", ".join(sorted(map(str, find_free(integrand))))
     what = f"no differential after the integrand {integrand}; it has the symbols {names}"
-    return _tell("an integral has no differential", Evidence(what))
+    return _describe("an integral has no differential", Evidence(what))
 
 
 def _find_missing_argument(printed: sp.Basic) -> Answer | None:
@@ -103,7 +103,7 @@ def _find_missing_argument(printed: sp.Basic) -> Answer | None:
         return None
     names = ", ".join(sorted(str(function.args[0]) for function in functions))
     reason = f"{names} has no argument"
-    return _tell(reason, Evidence(f"nothing follows {names}"))
+    return _describe(reason, Evidence(f"nothing follows {names}"))
 
 
 def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Answer | None:
@@ -117,7 +117,7 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
     reason = f"{names} has no value there: neither bound by a sum nor a quantity of the paper"
-    return _tell(reason, witness)
+    return _describe(reason, witness)
 
 
 def _find_mixture(
@@ -132,7 +132,7 @@ def _find_mixture(
         infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
         witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
-        return _tell(str(error), witness, DIMENSIONS) if witness else None
+        return _describe(str(error), witness, DIMENSIONS) if witness else None
     return None
 
 

@@ -35,15 +35,15 @@ def describe(
 ) -> Evidence:
     """Return the evidence of two values at a point, with the source of the point's sizes."""
     left, right = balls.show_apart(*values)
-    dimension = _tell_dimension(sides, domain)
+    dimension = _describe_dimension(sides, domain)
     if dimension == "angle":
         degrees = show_plainly(*(value * 180 / balls.to_ball(sp.pi) for value in values))
         left, right = (f"{b} ({d}°)" for b, d in zip((left, right), degrees, strict=True))
-    told = f"{what}{_tell_sources(point, domain)}"
+    told = f"{what}{_describe_sources(point, domain)}"
     return Evidence(told, show_point(point, domain), left, right, dimension)
 
 
-def _tell_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
+def _describe_dimension(sides: tuple[sp.Basic, ...], domain: Domain) -> str:
     """Return the name of the dimension that both sides share, or "" if there is none."""
     if is_angle(sides, domain.dimensions):
         return "angle"
@@ -90,7 +90,7 @@ def _show_exactly(value: sp.Expr) -> str:
     return str(value) if not ends else f"{sp.Integer(value * 10**ends) / 10**ends:.{ends}f}"
 
 
-def _tell_sources(point: Point, domain: Domain) -> str:
+def _describe_sources(point: Point, domain: Domain) -> str:
     """Write which values of a point the paper has published, and which are chosen here."""
     for published in domain.published:
         met = {s: v for s, v in sizes_of(published).items() if s in point}

@@ -150,7 +150,7 @@ def goes_on(quantity: Quantity) -> bool:
     return quantity.period is not None and quantity.unit == running.unit == "rad"
 
 
-def tell_turned(quantity: Quantity, paper: Paper) -> Markup:
+def describe_turned(quantity: Quantity, paper: Paper) -> Markup:
     """Return the stated bound of a position in its tenth turn in radians, at published sizes."""
     if quantity.accuracy is None or not goes_on(quantity):
         return Markup()

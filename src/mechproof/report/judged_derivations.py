@@ -13,7 +13,7 @@ from mechproof.derivation import packaged_directory
 from mechproof.ledger.judged import JudgedPaper
 from mechproof.measured import KERNELS, Record, find_all_files, read_record
 from mechproof.record import Paper
-from mechproof.roundoff.certificate import tell_proofs
+from mechproof.roundoff.certificate import describe_proofs
 from mechproof.roundoff.certificate_files import find_certificate
 
 
@@ -50,7 +50,7 @@ def find_source(location: Path, ledger: JudgedPaper) -> JudgedDerivation:
     return JudgedDerivation(
         location,
         ledger,
-        tell_proofs(paper, find_certificate(folder, paper.system)),
+        describe_proofs(paper, find_certificate(folder, paper.system)),
         tuple(read_records(folder, [f"{paper.system}.{q.name}" for q in paper.quantities])),
         home if kernels.is_file() else "",
         read_checks(folder),

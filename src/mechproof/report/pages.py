@@ -23,7 +23,7 @@ from urllib.parse import quote, unquote
 import jinja2
 from markupsafe import Markup, escape
 
-from mechproof.codegen.docstrings import capitalise, tell_unit
+from mechproof.codegen.docstrings import capitalise, describe_unit
 from mechproof.ledger.judged import PLAIN
 from mechproof.proof.anchors import slugify
 from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
@@ -214,7 +214,7 @@ def _environment() -> jinja2.Environment:
         "print": write_print,
         "prose": set_prose,
         "slug": slugify,
-        "unit": tell_unit,
+        "unit": describe_unit,
         "words": _say,
         "capfirst": capitalise,
     }

@@ -13,7 +13,14 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
-from mechproof.lab.chart import STYLE, draw_chart, draw_panels, tell_how, write_summary, write_title
+from mechproof.lab.chart import (
+    STYLE,
+    describe_how,
+    draw_chart,
+    draw_panels,
+    write_summary,
+    write_title,
+)
 from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import KERNELS, Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
@@ -187,7 +194,7 @@ def draw_figure(place: Path, blank: Picture) -> Picture:
 
 def _date(records: Sequence[Record]) -> str:
     days = sorted({record.taken[:10] for record in records})
-    return f"{tell_how(records)} {' and '.join(days)}"
+    return f"{describe_how(records)} {' and '.join(days)}"
 
 
 def _render(canvas: Canvas, says: str) -> str:

@@ -19,7 +19,7 @@ from mechproof.proof.comparison_latex import write_latex, write_letter
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.report.formula_texts import Sources, list_calls, write_header, write_sources
-from mechproof.report.formulas import goes_on, tell_turned, write_definition, write_given
+from mechproof.report.formulas import describe_turned, goes_on, write_definition, write_given
 from mechproof.report.judged_derivations import JudgedDerivation
 from mechproof.report.mathml import write_formula
 from mechproof.report.pages import RowView, describe_row, name_symbols
@@ -122,14 +122,14 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
             name=quantity.name,
             summary=quantity.summary,
             source=quantity.source,
-            unit=docstrings.tell_unit(quantity.unit),
+            unit=docstrings.describe_unit(quantity.unit),
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
             formula=write_definition(quantity, paper),
             given=tuple(write_given(quantity, paper)),
             domain=set_prose(re.sub(r"\boo\b", "∞", docstrings.describe_domain(quantity, paper))),
             notes=tuple(_pick_notes(kernel, paper)),
-            stated=_tell_stated(quantity),
-            turned=tell_turned(quantity, paper),
+            stated=_describe_stated(quantity),
+            turned=describe_turned(quantity, paper),
             proved=tuple(set_prose(form.proved) for form in forms if form.proved),
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
@@ -178,26 +178,26 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
 
-def _tell_stated(quantity: Quantity) -> Markup:
+def _describe_stated(quantity: Quantity) -> Markup:
     if quantity.accuracy is None:
         return Markup()
-    return set_prose(docstrings.tell_accuracy(quantity.accuracy, input_names(quantity)))
+    return set_prose(docstrings.describe_accuracy(quantity.accuracy, input_names(quantity)))
 
 
 def _describe_record(record: Record, quantity: Quantity) -> Measured:
     first = record.ways[0].name
     rows = record.errors_of(first)
     worst = record.worst_of(first)
-    searched = "; ".join(_tell_searched(found, quantity) for found in record.searched)
+    searched = "; ".join(_describe_searched(found, quantity) for found in record.searched)
     machine = record.machine
     return Measured(
         worst="none" if worst is None else f"{worst:.3g}",
-        usual=set_prose(_tell_usual(record, quantity)),
+        usual=set_prose(_describe_usual(record, quantity)),
         unit=record.error_unit,
-        absolute="" if quantity.unit == "1" else docstrings.tell_unit(quantity.unit),
+        absolute="" if quantity.unit == "1" else docstrings.describe_unit(quantity.unit),
         points=f"{sum(row.points - row.undecided for row in rows):,}",
         searched=set_prose(searched),
-        swept=set_prose(_tell_swept(record, quantity)),
+        swept=set_prose(_describe_swept(record, quantity)),
         taken=record.taken[:10],
         machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
         is_quick=record.quick,
@@ -205,7 +205,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
     )
 
 
-def _tell_usual(record: Record, quantity: Quantity) -> str:
+def _describe_usual(record: Record, quantity: Quantity) -> str:
     """Return the points of usual errors; a sweep ends after a number of half turns."""
     usual = find_usual_set(record)
     if goes_on(quantity) and usual.startswith("sweep"):
@@ -213,23 +213,23 @@ def _tell_usual(record: Record, quantity: Quantity) -> str:
     return usual
 
 
-def _tell_swept(record: Record, quantity: Quantity) -> str:
+def _describe_swept(record: Record, quantity: Quantity) -> str:
     """Return the largest error of a position over some turns; a sweep keeps all other sizes."""
     usual, first = find_usual_set(record), record.ways[0].name
     errors = next((e for e in record.errors_of(first) if e.set == usual), None)
     if not (goes_on(quantity) and usual.startswith("sweep") and errors and errors.worst_at):
         return ""
-    sizes = ", ".join(map(_tell_point, quantity.arguments[1:], errors.worst_at[1:]))
+    sizes = ", ".join(map(_describe_point, quantity.arguments[1:], errors.worst_at[1:]))
     largest = f"{errors.worst_absolute:.1e} {quantity.unit}"
     return f"over {SWEEP // 2} turns at most {largest} on {errors.points:,} points, with {sizes}"
 
 
-def _tell_searched(found: Searched, quantity: Quantity) -> str:
-    at = ", ".join(map(_tell_point, quantity.arguments, found.at))
+def _describe_searched(found: Searched, quantity: Quantity) -> str:
+    at = ", ".join(map(_describe_point, quantity.arguments, found.at))
     return f"{found.scaled:.3g} ({found.way}) at {at}"
 
 
-def _tell_point(argument: Argument, value: object) -> str:
+def _describe_point(argument: Argument, value: object) -> str:
     """Return an argument and its value; of many numbers only the count, as in the record."""
     parts = value if isinstance(value, tuple | list) else [value]
     if len(parts) > MANY:

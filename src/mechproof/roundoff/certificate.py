@@ -105,7 +105,7 @@ def list_stages(kernel: Kernel, paper: Paper) -> list[ComputedStage]:
         raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
-def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
+def describe_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     """Return the paper with forms whose `proved` text states the claims about them."""
     if certificate is None:
         return paper
@@ -113,42 +113,42 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     for claim in certificate.claims:
         claims.setdefault((claim.quantity, claim.form), []).append(claim)
     quantities = tuple(
-        replace(q, forms=tuple(_tell_form(q, form, claims) for form in q.forms))
+        replace(q, forms=tuple(_describe_form(q, form, claims) for form in q.forms))
         for q in paper.quantities
     )
     return replace(paper, quantities=quantities)
 
 
-def _tell_form(
+def _describe_form(
     quantity: Quantity, form: Form, known: Mapping[tuple[str, str], list[RoundingClaim]]
 ) -> Form:
     claims = known.get((quantity.name, form.name))
     if not claims:
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
-    where = tell_place(claims[0].where)
+    where = describe_place(claims[0].where)
     of_all = [text for text in claims[0].assumptions if all(text in c.assumptions for c in claims)]
     resting = f", as long as {' and '.join(of_all)}" if of_all else ""
-    told = "; ".join(_tell(claim, of_all) for claim in claims)
+    told = "; ".join(_describe(claim, of_all) for claim in claims)
     return replace(form, proved=f"Proved{name}{where}{resting}: {told}.")
 
 
-def tell_place(places: Sequence[str]) -> str:
+def describe_place(places: Sequence[str]) -> str:
     """Return a clause to append on where something is proved; empty if for all arguments."""
     return f", where {' or '.join(places)}" if places else ""
 
 
-def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
+def _describe(claim: RoundingClaim, told: Sequence[str]) -> str:
     if claim.open:
         return f"nothing {claim.way}, open at {claim.open}"
     rests = [text for text in claim.assumptions if text not in told]
     by = claim.way if claim.way == COMPILED else f"with {claim.way}"
     given = f" with {' and '.join(rests)}" if rests else f" {by}"
     size = f" where n = {SEARCHED}" if claim.each else ""
-    return f"at most {tell_bound(claim)} eps{given}, found {claim.found:g}{size}"
+    return f"at most {describe_bound(claim)} eps{given}, found {claim.found:g}{size}"
 
 
-def tell_bound(claim: RoundingClaim) -> str:
+def describe_bound(claim: RoundingClaim) -> str:
     """Write a bound in eps with all its digits: rounded down, it would not be a bound."""
     return f"{claim.proved:g}" + (f" + {claim.each:g}*(n - 1)" if claim.each else "")
 
@@ -179,7 +179,7 @@ def holds(
         return True
     if claim.open:
         covers = cover_all(subject, claim.proved, _limit(subject))
-        return (_count(covers), _tell_open(covers)) == (claim.boxes, claim.open)
+        return (_count(covers), _describe_open(covers)) == (claim.boxes, claim.open)
     return is_shown(subject, claim)
 
 
@@ -246,7 +246,7 @@ def _count(covers: Sequence[tuple[ChartRegion, Cover]]) -> int:
     return sum(cover.count for _, cover in covers)
 
 
-def _tell_open(covers: Sequence[tuple[ChartRegion, Cover]]) -> str:
+def _describe_open(covers: Sequence[tuple[ChartRegion, Cover]]) -> str:
     region, cover = covers[-1]
     return "" if cover.open is None else f"{region.describe()}: {cover.open}"
 
@@ -261,7 +261,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
     least = max((found.eps for found in before), default=0.0) - subject.more
     proved = _lower_bound(subject, max(least, 0.0))
     covers = cover_all(subject, proved, _limit(subject))
-    if not _tell_open(covers):
+    if not _describe_open(covers):
         proved = min(proved, _round(max(cover.worst[0][0] for _, cover in covers), math.ceil))
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
     if worst.eps > proved + subject.more:
@@ -278,7 +278,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
         found=_round(worst.eps, math.floor),
         at={name: float(value).hex() for name, value in worst.at.items()},
         boxes=_count(covers),
-        open=_tell_open(covers),
+        open=_describe_open(covers),
         assumptions=subject.assumptions,
         program=subject.digest,
         cuts=write_cuts([cover.cuts for _, cover in covers]),
@@ -288,7 +288,7 @@ def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> Ro
 def _lower_bound(subject: ComputedStage, low: float) -> float:
     """Return nearly the lowest provable bound above `low`, in hundredths of an eps; or infinity."""
     high = max(FIRST, 2 * low)
-    while _tell_open(cover_all(subject, high, _limit(subject))):
+    while _describe_open(cover_all(subject, high, _limit(subject))):
         low, high = high, 2 * high
         if high > LAST:
             return math.inf
@@ -296,7 +296,7 @@ def _lower_bound(subject: ComputedStage, low: float) -> float:
         middle = round((low + high) / 2, DIGITS)
         if not low < middle < high:
             break
-        if _tell_open(cover_all(subject, middle, _limit(subject))):
+        if _describe_open(cover_all(subject, middle, _limit(subject))):
             low = middle
         else:
             high = middle

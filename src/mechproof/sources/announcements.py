@@ -253,7 +253,7 @@ def _follows(words: str) -> bool:
     A sentence after the preceding display that explains letters is not counted.
     """
     sentences = [one for one in _END.split(words) if _has_prose(one) and not _WHERE.match(one)]
-    return any(_CONSEQUENCE.search(one) and not _tells_of_another(one) for one in sentences[:1])
+    return any(_CONSEQUENCE.search(one) and not _is_about_another(one) for one in sentences[:1])
 
 
 def _has_prose(words: str) -> bool:
@@ -279,7 +279,7 @@ def _are_opposed(one: Mapping[int, int], other: Mapping[int, int]) -> bool:
     return any(other.get(pair, side) != side for pair, side in one.items())
 
 
-def _tells_of_another(sentence: str) -> bool:
+def _is_about_another(sentence: str) -> bool:
     """Return whether a sentence starts with an action other than a calculation, or another thing.
 
     "Moving down, …", "Hence a thin ring has".

@@ -80,7 +80,7 @@ class Tailored:
         sizes = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
         degrees = ", ".join(map(str, self.degrees))
         return (
-            f"<{self.name}({self.variable}; {sizes}): {_tell_bound(self)}, degrees {degrees}, "
+            f"<{self.name}({self.variable}; {sizes}): {_describe_bound(self)}, degrees {degrees}, "
             f"{self.operations} operations, {self.backend}>"
         )
 
@@ -96,7 +96,7 @@ class Tailored:
         is_name = called.isidentifier() and called.isascii() and called not in WORDS
         require(is_name and called[0] != "_", "name", name, "must be a valid C identifier")
         require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
-        files = _render_c(self._request, self._built.model, called, _tell_bound(self))
+        files = _render_c(self._request, self._built.model, called, _describe_bound(self))
         texts = {Path(folder) / file: text for file, text in files.items()}
         for file, text in texts.items():
             if file.exists() and file.read_bytes() != text.encode():
@@ -106,7 +106,7 @@ class Tailored:
         return tuple(texts)
 
 
-def _tell_bound(kernel: Tailored) -> str:
+def _describe_bound(kernel: Tailored) -> str:
     unit = "" if kernel.unit == "1" else f" {kernel.unit}"
     return (
         f"|error| <= {round_up(kernel.bound)}{unit} for "

@@ -33,7 +33,7 @@ from mechproof.arguments.scalars import check_count, check_number, check_text, r
 from mechproof.executors import BALLS, check_executor, run_in_order
 from mechproof.tolerance.problem import Bounds, Problem
 from mechproof.tolerance.sizes import Floats, Progress, Report, Size, check_sizes
-from mechproof.tools.extras import tell_missing
+from mechproof.tools.extras import describe_missing
 
 if TYPE_CHECKING:
     from mechproof.record import Paper
@@ -187,7 +187,7 @@ def _load(system: str | Paper) -> Paper:
         from mechproof.derivation import find_systems, load_packaged, packaged_directory
         from mechproof.record import Paper
     except ImportError as error:
-        raise ImportError(tell_missing("certified_range", "derive", error.name)) from error
+        raise ImportError(describe_missing("certified_range", "derive", error.name)) from error
     if not isinstance(system, str):
         require(isinstance(system, Paper), "system", system, "must be a name or a Paper", TypeError)
         return system

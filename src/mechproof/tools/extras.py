@@ -11,22 +11,22 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 
-def tell_install(extra: str) -> str:
+def suggest_install(extra: str) -> str:
     """Return the command that installs an extra, from the sources if mechproof came from them."""
     return f"pip install '{_find_source()}[{extra}]'"
 
 
-def tell_missing(what: str, extra: str, *names: str | None) -> str:
+def describe_missing(what: str, extra: str, *names: str | None) -> str:
     """Return a sentence that `what` needs missing packages, with the command that installs them."""
     missing = ", ".join(name or "a package" for name in names)
-    return f"{what} needs {missing}, the extra {extra}: {tell_install(extra)}"
+    return f"{what} needs {missing}, the extra {extra}: {suggest_install(extra)}"
 
 
 def require_modules(what: str, extra: str, modules: Iterable[str]) -> None:
     """Raise ImportError, which names the command to run, if a module is not installed."""
     missing = [module for module in modules if find_spec(module) is None]
     if missing:
-        raise ImportError(tell_missing(what, extra, *missing))
+        raise ImportError(describe_missing(what, extra, *missing))
 
 
 def list_other_versions(extra: str) -> list[str]:

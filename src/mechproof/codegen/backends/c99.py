@@ -28,10 +28,10 @@ from mechproof.codegen.backends.scalar_texts import (
 from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.docstrings import (
     SLOPES,
+    describe_bound,
     describe_domain,
+    describe_unit,
     show_formula,
-    tell_bound,
-    tell_unit,
 )
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
@@ -119,7 +119,7 @@ def render_c_formula(kernel: Kernel, paper: Paper) -> str:
 def _describe(kernel: Kernel, paper: Paper, errors: Mapping[str, str] | None) -> list[str]:
     """Return the lines of a function's comment: formula, domain, accuracy, source."""
     quantity = kernel.quantity
-    told = tell_bound(quantity) if errors is None else errors[kernel.name]
+    told = describe_bound(quantity) if errors is None else errors[kernel.name]
     notes = [f"Domain: {describe_domain(quantity, paper)}."]
     notes += [f"Accuracy: {told}."] if told else []
     notes += [f"Source: {quantity.source}."]
@@ -174,7 +174,7 @@ def render_c_kernels(
         "accuracy": textwrap.wrap(accuracy, WIDTH),
         "notes": notes,
         "command": COMMAND,
-        "tell_unit": tell_unit,
+        "describe_unit": describe_unit,
     }
     source = {
         **common,

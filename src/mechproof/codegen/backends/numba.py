@@ -18,7 +18,7 @@ from mechproof.codegen.backends.loopless_kernels import (
     name_elements,
     take_out_loops,
 )
-from mechproof.codegen.backends.numpy import REGENERATED, render_python, tell_origin
+from mechproof.codegen.backends.numpy import REGENERATED, describe_origin, render_python
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
     extend_syntax,
@@ -69,7 +69,7 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     if not kernels:
         return {}
     about = (*_describe(paper.system), *(SUMMED if any(k.code.indexed for k in kernels) else ()))
-    docstring = (*about, *tell_origin(paper.system))
+    docstring = (*about, *describe_origin(paper.system))
     source = render_scalars(paper.system, docstring, kernels, paper.one_pass)
     return {f"compiled/{paper.system}.py": source}
 

@@ -111,7 +111,7 @@ def render_derivatives(paper: Paper) -> dict[str, str]:
     kernels = list_functions(differentiate(paper))
     if not kernels:
         return {}
-    lines = (*describe_derivatives_module(paper), *tell_origin(paper.system))
+    lines = (*describe_derivatives_module(paper), *describe_origin(paper.system))
     texts = [write_kernel(kernel, describe_derivatives(kernel)) for kernel in kernels]
     return {f"{DERIVATIVES}{paper.system}.py": render_module(lines, texts)}
 
@@ -123,12 +123,12 @@ def _render(
     conditions: tuple[ConditionText, ...],
     sizes: tuple[SizesText, ...],
 ) -> str:
-    lines = (*docstring, *tell_origin(paper.system))
+    lines = (*docstring, *describe_origin(paper.system))
     texts = [write_kernel(kernel, describe_kernel(kernel, paper)) for kernel in kernels]
     return render_module(lines, texts, conditions, sizes)
 
 
-def tell_origin(system: str) -> tuple[str, ...]:
+def describe_origin(system: str) -> tuple[str, ...]:
     """Return the lines that state what a module is generated from, and how."""
     return (
         f"Generated from the derivation {system} with SymPy {sp.__version__}.",

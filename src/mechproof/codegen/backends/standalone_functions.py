@@ -13,7 +13,12 @@ from functools import partial
 
 from mechproof.codegen.backends.numpy import format_source, render_template, tidy
 from mechproof.codegen.backends.scalar_texts import BOOLEAN, ScalarKernel, write_scalar
-from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
+from mechproof.codegen.docstrings import (
+    describe_bound,
+    describe_domain,
+    describe_unit,
+    show_formula,
+)
 from mechproof.codegen.languages import ARRAY, FORM, RESULT, SCRIPTS, STRUCTURED_TEXT_WORDS, Script
 from mechproof.codegen.syntax import ProgramText, Syntax, write_program
 from mechproof.programs.differentiable_branches import block_branches
@@ -295,11 +300,11 @@ def describe_formula(kernel: Kernel, paper: Paper) -> Iterable[str]:
     yield from textwrap.wrap(quantity.summary, WIDTH)
     yield from show_formula(kernel, paper)
     for argument in quantity.arguments:
-        yield f"{argument.name}: {argument.meaning} ({tell_unit(argument.unit)})"
+        yield f"{argument.name}: {argument.meaning} ({describe_unit(argument.unit)})"
     fill = partial(textwrap.wrap, width=WIDTH)
-    yield from fill(f"Result: {tell_unit(quantity.unit)}.")
+    yield from fill(f"Result: {describe_unit(quantity.unit)}.")
     yield from fill(f"Domain: {describe_domain(quantity, paper)}.")
-    if kernel.is_shipped and (told := tell_bound(quantity)):
+    if kernel.is_shipped and (told := describe_bound(quantity)):
         yield from fill(
             f"Tested accuracy of the NumPy kernel: {told}, eps = 2**-52. In another language the "
             "last digits depend on its own functions."

@@ -28,8 +28,17 @@ from mechproof.document.context.constrained_rows import (
     list_following,
 )
 from mechproof.document.context.doubted_letters import leaves_free
-from mechproof.document.context.doubts import defines, list_printed, list_used, tell_contradiction
-from mechproof.document.context.judging_beside import judge_beside, judge_misprint, tell_misprint
+from mechproof.document.context.doubts import (
+    defines,
+    describe_contradiction,
+    list_printed,
+    list_used,
+)
+from mechproof.document.context.judging_beside import (
+    describe_misprint,
+    judge_beside,
+    judge_misprint,
+)
 from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.slips import WITHIN
 from mechproof.document.tasks import Role, Task
@@ -89,7 +98,7 @@ def find_misprints(at: Judging) -> Changes:
         others = {one for pair in pairs if n in pair for one in pair} - {n}
         names = ", ".join(tasks[other].row.number for other in sorted(others))
         said = f": {accused[n].reason}" if n in accused else ""
-        contradicts = f"{tell_contradiction(names)}{said}"
+        contradicts = f"{describe_contradiction(names)}{said}"
         if n in refuted or n not in wrong.values():
             yield n, make_row(tasks[n], accused[n] if n in refuted else contradicts)
     for m, n in wrong.items():
@@ -219,6 +228,6 @@ def doubt_by_proved(at: Judging) -> Changes:
         is_bound = n not in given or list_letters(task) <= met
         if is_open and beside and is_bound and not task.is_case:
             asked.append((n, tuple(beside), tuple(m for m in proved if m < n)))
-    for (n, *_), said in at.ask(tell_misprint, asked):
+    for (n, *_), said in at.ask(describe_misprint, asked):
         if isinstance(said, str) and said:
             yield n, make_row(tasks[n], said)

@@ -187,12 +187,12 @@ def doubt_by_lengths(at: Judging) -> Changes:
     """Accuse no row that holds where a sum of squares is 1: words may tell a length."""
     refuted = Verdict.REFUTED.value
     asked = [(n,) for n, row in at.rows.items() if row.outcome == refuted or row.reason == EITHER]
-    for (n,), said in at.ask(_tell_length, asked):
+    for (n,), said in at.ask(_describe_length, asked):
         if isinstance(said, str) and said:
             yield n, make_row(at.tasks[n], said)
 
 
-def _tell_length(tasks: Sequence[Task], number: int) -> str:
+def _describe_length(tasks: Sequence[Task], number: int) -> str:
     """Say that a row holds where a vector of its letters has the length 1, nothing if not."""
     task = tasks[number]
     entries = [one for one in list_all_entries(task, ()) if one.residual != 0]

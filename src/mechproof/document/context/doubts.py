@@ -43,9 +43,9 @@ def find_contradictions(at: Judging) -> Changes:
         others = [m for m, one in enumerate(at.tasks) if m > n or is_new or is_turned(one, task)]
         others = [m for m in others if defines(at.tasks[m], letters)]
         if names := ", ".join(at.tasks[m].row.number for m in others):
-            yield n, make_row(task, tell_contradiction(names))
+            yield n, make_row(task, describe_contradiction(names))
         for m in others:
-            yield m, make_row(at.tasks[m], tell_contradiction(task.row.number))
+            yield m, make_row(at.tasks[m], describe_contradiction(task.row.number))
 
 
 def find_other_solutions(at: Judging) -> Changes:
@@ -72,10 +72,10 @@ def find_other_solutions(at: Judging) -> Changes:
                 continue
             if m < n:
                 at.tasks[n] = replace(task, anew=_solve(one - other, letter, at))
-                yield n, make_row(task, tell_contradiction(at.tasks[m].row.number))
+                yield n, make_row(task, describe_contradiction(at.tasks[m].row.number))
             elif is_beside:
-                yield n, make_row(task, tell_contradiction(at.tasks[m].row.number))
-                yield m, make_row(at.tasks[m], tell_contradiction(task.row.number))
+                yield n, make_row(task, describe_contradiction(at.tasks[m].row.number))
+                yield m, make_row(at.tasks[m], describe_contradiction(task.row.number))
 
 
 def _solve(rest: sp.Expr, letter: sp.Basic, at: Judging) -> dict[sp.Basic, sp.Expr | None]:
@@ -283,7 +283,7 @@ def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
     return defines(one, used) and ((one.said.is_equating and is_before) or is_left(one, task))
 
 
-def tell_contradiction(names: str) -> str:
+def describe_contradiction(names: str) -> str:
     """Return the reason why a row and others cannot all be true of one case."""
     return f"it and {names}{CONTRADICTING}: one of them is wrong or about another case"
 

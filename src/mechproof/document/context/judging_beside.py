@@ -117,7 +117,7 @@ def judge_misprint(tasks: Sequence[Task], number: int, others: Sequence[int]) ->
     return _replace(task, Verdict.REFUTED, RUNG, reason, (misprint.evidence,))
 
 
-def tell_misprint(
+def describe_misprint(
     tasks: Sequence[Task], number: int, others: Sequence[int], proved: Sequence[int]
 ) -> str:
     """Return what a row may be meant to say given constraints, even if that is printed elsewhere.

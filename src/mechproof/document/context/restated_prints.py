@@ -50,7 +50,7 @@ def compare_restated(at: Judging) -> Changes:
             tasks[n] = first[n]
 
 
-def tell_unlike(task: Task) -> str:
+def describe_unlike(task: Task) -> str:
     """Return the reason why a row that differs from another print of its letter is left open."""
     other, name = task.sign.first or "the member before", name_equation(task.row.number)
     return (
@@ -77,7 +77,7 @@ def _compare(task: Task, later: Task, symbols: Symbols) -> Task | None:
     row = replace(task.row, says=replace(says, rebuilt=value))
     name = name_equation(later.row.number)
     sign = replace(task.sign, first=name, sides=sides)
-    return replace(task, row=row, sign=sign, asserts=True, rests_on=(name, tell_unlike(task)))
+    return replace(task, row=row, sign=sign, asserts=True, rests_on=(name, describe_unlike(task)))
 
 
 def _find_rate(one: Task, other: Task, symbols: Symbols) -> sp.Expr | None:
@@ -137,14 +137,14 @@ def compare_rates(at: Judging) -> Changes:
             continue
         proved = [m for m, row in rows.items() if row.outcome == Verdict.PROVED.value]
         anew = [one for m, one in enumerate(tasks) if m not in proved]
-        if any(_are_beside(tasks[m], task, tasks, anew) for m in proved):
+        if any(_are_together(tasks[m], task, tasks, anew) for m in proved):
             asked.append((n,))
     for (n,), answer in at.ask(judge_rate, asked):
         if isinstance(answer, Judgement):
             yield n, make_row(tasks[n], answer)
 
 
-def _are_beside(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Task]) -> bool:
+def _are_together(one: Task, other: Task, tasks: Sequence[Task], anew: Sequence[Task]) -> bool:
     """Return whether two derivatives, and their letters' first prints, are printed together.
 
     Together means without words in between, but two derivatives of one print may have words of a

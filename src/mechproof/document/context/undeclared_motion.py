@@ -46,7 +46,7 @@ def doubt_by_motion(at: Judging) -> Changes:
             continue
         for n, task in asked:
             if met := sorted(list_compared(task, tasks) & angles, key=str):
-                yield n, make_row(task, _tell(met, [tasks[g] for g in group]))
+                yield n, make_row(task, _describe(met, [tasks[g] for g in group]))
 
 
 def doubt_by_stillness(at: Judging) -> Changes:
@@ -96,14 +96,14 @@ def doubt_by_ties(at: Judging) -> Changes:
             met = tied & reach({at.symbols.find_steps(s)[1][0] for s in inside}, tasks)
             # Letters that the row lacks may move instead, one for each constraint.
             if met and len(tied - letters) < len(given):
-                reasons.append(_tell_tie(given, min(map(str, met)), by))
+                reasons.append(_describe_tie(given, min(map(str, met)), by))
         if reasons and task.sign.role is Role.DEFINITION and task.sign.letter is not None:
             held.setdefault(task.sign.letter, reasons[0])
         if reasons and rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value):
             yield n, make_row(task, reasons[0])
 
 
-def _tell_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
+def _describe_tie(given: Sequence[Task], letter: str, by: sp.Basic) -> str:
     names = ", ".join(one.row.number for one in given)
     return (
         f"by {names}, {letter} may change with {by}; declare in the block of letters that it does, "
@@ -151,7 +151,7 @@ def _is_given(task: Task, row: CheckedRow) -> bool:
     return is_given and not task.said.is_equating
 
 
-def _tell(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:
+def _describe(letters: Sequence[sp.Basic], group: Sequence[Task]) -> str:
     names = ", ".join(one.row.number for one in group)
     which = ", ".join(f"{letter}(t)" for letter in letters)
     return (

@@ -69,7 +69,7 @@ def compare_at_places(at: Judging) -> Changes:
         if isinstance(found, Judgement):
             yield n, make_row(tasks[n], found)
         elif rows[n].outcome == Verdict.DEFINITION.value:
-            yield n, make_row(tasks[n], _tell(tasks[n], [tasks[o] for o in others], tied))
+            yield n, make_row(tasks[n], _describe(tasks[n], [tasks[o] for o in others], tied))
 
 
 def _list_put_in(task: Task, symbols: Symbols) -> Iterator[tuple[sp.Basic, sp.Expr]]:
@@ -150,7 +150,7 @@ def judge_at_place(
     return replace(found, reason=reason)
 
 
-def _tell(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
+def _describe(task: Task, given: Sequence[Task], tied: frozenset[sp.Basic]) -> str:
     """Return the reason that names the letters which may have several values at a place."""
     names = ", ".join(one.row.number for one in given) or "the prints before it"
     letters = ", ".join(sorted(map(str, tied & list_letters(task)))) or "another letter"

@@ -107,7 +107,7 @@ def draft_block(source: Source) -> str:
     ]
     lines = drafted_lines.ask_refused(lines, source)
     lines += ask_what_follows(source, displays)
-    lines += drafted_lines.tell_unread(displays, plain, collected, source)
+    lines += drafted_lines.describe_unread(displays, plain, collected, source)
     is_markdown = is_markdown_name(source.files.names[0])
     first, mark, last = MARKDOWN_BLOCK if is_markdown else LATEX_BLOCK
     return "\n".join([first, *(f"{mark}{line}" for line in lines), last, ""])

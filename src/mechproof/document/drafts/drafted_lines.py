@@ -164,7 +164,7 @@ def ask_zeros(displays: Iterable[Printed]) -> Iterator[str]:
             yield f"# let {zero[1]}=0"
 
 
-def tell_unread(
+def describe_unread(
     displays: Sequence[Printed], plain: Sequence[str], collected: Collected, source: Source
 ) -> Iterator[str]:
     """Yield the displays that could not be read, whose letters are therefore missing."""

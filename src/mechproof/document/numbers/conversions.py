@@ -83,7 +83,7 @@ def _list_turns(
     return [1 / (2 * sp.pi) if counted[0] else 2 * sp.pi]
 
 
-def tell_misfit(sign: Sign, symbols: Symbols) -> str:
+def describe_misfit(sign: Sign, symbols: Symbols) -> str:
     """Return why the unit printed for a letter does not fit its dimension, or "" if it does."""
     own = symbols.find_dimension(sign.letter) if sign.letter is not None else None
     if not sign.unit or own is None or read_unit(sign.unit).dimension == own:

@@ -98,11 +98,11 @@ class LetterSizes:
     restated: RestatedSizes
     every: Mapping[sp.Basic, Sequence[tuple[Printed, Sign, PrintedSize]]]
 
-    def tell(self, sign: Sign, printed: Printed) -> str:
+    def describe(self, sign: Sign, printed: Printed) -> str:
         """Return a note on the printed and restated sizes at which a number is compared."""
-        return self.tell_used(self.known.settle(sign.value).free_symbols, {}, printed)
+        return self.describe_used(self.known.settle(sign.value).free_symbols, {}, printed)
 
-    def tell_used(
+    def describe_used(
         self, letters: Iterable[sp.Basic], numbers: Mapping[sp.Basic, PrintedSize], printed: Printed
     ) -> str:
         """Return a note on the printed sizes of letters, some of them the results `numbers`."""
@@ -323,7 +323,7 @@ def _find(
         letter = letters.get(one.letter)
         if letter is None or one.number is None:
             continue
-        unit = one.number.unit or _find_behind(one, source, letter, symbols)
+        unit = one.number.unit or _find_unit_after(one, source, letter, symbols)
         number = Numeral(one.number.digits, one.number.factor, unit)
         size = Scales(symbols).size(Head(letter, one.letter, None), number)
         # Degrees of temperature have no scale.
@@ -331,7 +331,9 @@ def _find(
             yield Restated(letter, size.value, one.end, one.line)
 
 
-def _find_behind(one: Inline, source: Source, letter: sp.Basic, symbols: Symbols) -> Unit | None:
+def _find_unit_after(
+    one: Inline, source: Source, letter: sp.Basic, symbols: Symbols
+) -> Unit | None:
     """Return the unit that follows a formula, if it has the letter's dimension."""
     word = _NEXT.match(source.text.string, one.end)
     unit = find_unit(word[1]) if word and word[1] != "in" else None

@@ -84,7 +84,7 @@ def _round(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | Equ
     """State a number as a formula's value at the sizes, or return why it is not judged."""
     formulas = _find_formulas(at, sign)
     if isinstance(formulas, str):
-        return _round_as_said(at, sign, printed) or formulas
+        return _state_rounded(at, sign, printed) or formulas
     if not isinstance(formulas, list):
         return formulas
     value, own, unit = formulas[0], sign.own, read_unit(sign.unit) if sign.unit else None
@@ -110,7 +110,7 @@ def _round(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | Equ
     return excuse or _doubt(at, value, unit, printed) or nearest
 
 
-def _round_as_said(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | str:
+def _state_rounded(at: LetterSizes, sign: Sign, printed: Printed) -> PrintedNumber | str:
     """State a number as a formula's value at sizes that sentences give; "" if it is not."""
     sizes, unit = at.list_at(printed)[-1], read_unit(sign.unit) if sign.unit else None
     settled = (at.known.settle(sign.value), at.known.settle(sign.value, stop=sizes))
@@ -138,7 +138,7 @@ def _find_formulas(at: LetterSizes, sign: Sign) -> list[sp.Expr] | Equality | st
     formulas = at.known.list_formulas(sign.value, sizes, declared.keys() - {sign.letter})
     if not formulas and sign.letter is None and sp.Rational(sign.number) == 0:
         return Equality(value, sp.S.Zero, "member")
-    return formulas or tell_missing(missing)
+    return formulas or describe_missing(missing)
 
 
 def _excuse(
@@ -154,7 +154,7 @@ def _excuse(
         return _BARE_NUMBERS
     if names := _name_rounded(at, sign, printed):
         return _ROUNDED.format(names, show(nearest.value))
-    names = _name_said(at, sign, printed)
+    names = _name_stated(at, sign, printed)
     return _SAID.format(names, show(nearest.value)) if names else ""
 
 
@@ -164,7 +164,7 @@ def _doubt(at: LetterSizes, value: sp.Expr, unit: Unit | None, printed: Printed)
     units = {one.head.unit for one in used.values()}
     if unit is None and len(units) > 1 and at.infer(value) != NUMBER:
         return "it has no unit, and the sizes have several"
-    if used and not _are_beside(at, used.values(), printed.group):
+    if used and not _are_together(at, used.values(), printed.group):
         names = ", ".join(dict.fromkeys(one.name for one in used.values()))
         return f"{OTHERS} {names}: are these meant, or others?"
     return ""
@@ -182,7 +182,7 @@ def _name_rounded(at: LetterSizes, sign: Sign, printed: Printed) -> str:
     return ", ".join(f"{s} of {one.name}" for s, one in used.items())
 
 
-def _name_said(at: LetterSizes, sign: Sign, printed: Printed) -> str:
+def _name_stated(at: LetterSizes, sign: Sign, printed: Printed) -> str:
     """Return the letter and the stated quantity with which a number agrees, or ""."""
     known, scales = at.known, Scales(at.known.symbols)
     letters = known.list_used(sign.value) & known.values.keys() & scales.known.keys()
@@ -222,13 +222,13 @@ def _is_exact(at: LetterSizes, one: PrintedSize) -> bool:
     ]
 
 
-def _are_beside(at: LetterSizes, used: Iterable[PrintedSize], group: int) -> bool:
+def _are_together(at: LetterSizes, used: Iterable[PrintedSize], group: int) -> bool:
     """Return whether only displays of numbers lie between sizes and the display of a number."""
     groups = {group, *(one.group for one in used)}
     return {*range(min(groups) + 1, max(groups))} <= at.numeric
 
 
-def tell_missing(letters: Iterable[sp.Basic]) -> str:
+def describe_missing(letters: Iterable[sp.Basic]) -> str:
     """Return the reason that a formula needs undeclared sizes."""
     return f"it depends on sizes that are not declared: {', '.join(sorted(map(str, letters)))}"
 

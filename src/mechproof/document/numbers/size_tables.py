@@ -72,7 +72,7 @@ class _Met:
     inputs: list[tuple[sp.Basic, Left]] = field(default_factory=list)
 
 
-def _tell_lack(letters: str) -> str:
+def _describe_lack(letters: str) -> str:
     return f"the formula needs {letters}: found neither in the table nor among the declared sizes"
 
 
@@ -135,11 +135,11 @@ class SizeTables:
             yield from found
             for cell in grid.unread if grid and found else ():
                 reason = "is not compared: its head cannot be read"
-                self._tell(cell.offset, f"the column {cell.string.strip()} {reason}")
+                self._describe(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
                 what = "no numbers of a letter with a formula" if grid else "fewer than two letters"
                 reason = f"this table is not compared: it shows {what}"
-                self._tell(table.offset, reason)
+                self._describe(table.offset, reason)
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
         texts = [line[n].string for line in grid.lines for n in grid.heads]
@@ -213,9 +213,9 @@ class SizeTables:
         for formulas, results in groups.items():
             yield from self._compare(formulas, results, grid)
         for lacks, cell in missing.items():
-            reason = _tell_lack(lacks)
+            reason = _describe_lack(lacks)
             if not head.is_letter:
-                self._tell(cell.offset, f"the column {head.printed} is not compared: {reason}")
+                self._describe(cell.offset, f"the column {head.printed} is not compared: {reason}")
                 continue
             row = self._leave(f"{grid.name}, {head.printed}", cell, reason)
             if self.known.printed.get(head.symbol) == BLOCK:
@@ -288,10 +288,10 @@ class SizeTables:
         )
         sign = Sign(Role.NUMBER, None, formulas.first)
         place = self.files.locate(result.offset)
-        rests_on = (formulas.first, _tell_lack(formulas.lacks)) if formulas.lacks else ("", "")
+        rests_on = (formulas.first, _describe_lack(formulas.lacks)) if formulas.lacks else ("", "")
         return Task(row, place, sign, self.paper, asserts=True, rests_on=rests_on)
 
-    def _tell(self, offset: int, reason: str) -> None:
+    def _describe(self, offset: int, reason: str) -> None:
         self.told.append((self.files.locate(offset), reason))
 
     def _leave(self, name: str, cell: TableCell, reason: str) -> Left:

@@ -21,16 +21,16 @@ from mechproof.document.numbers.conversions import (
     NEAR,
     UNFIT,
     counts_in_degrees,
+    describe_misfit,
     is_far,
-    tell_misfit,
 )
 from mechproof.document.numbers.letter_sizes import LetterSizes, PrintedSize, read_size, show
 from mechproof.document.numbers.numbers_at_sizes import (
     OTHERS,
     SINGLE,
+    describe_missing,
     measure_off,
     state_number,
-    tell_missing,
 )
 from mechproof.document.numbers.numerical_values import OPEN, is_of_units
 from mechproof.document.numbers.scales import RoundedSize, agrees, is_near, spread
@@ -84,7 +84,7 @@ class StatedNumbers:
         elif sign.role is Role.NUMBER or (sign.role is Role.CONSTRAINT and sign.number):
             stated = state_number(self.sizes, sign, printed)
         elif sign.role is Role.SIZE or (sign.role is Role.SOLUTIONS and sign.number):
-            if misfit := tell_misfit(sign, self.known.symbols):
+            if misfit := describe_misfit(sign, self.known.symbols):
                 return misfit
             sign, stated = self._compare_size(printed, sign)
             stated = stated or _doubt_size(sign, printed, self.sizes) or None
@@ -96,7 +96,7 @@ class StatedNumbers:
         if stated is None or isinstance(stated, str):
             return stated or (row, sign, False)
         is_size = isinstance(stated, PrintedNumber)
-        note = self.sizes.tell(sign, printed) if is_size else note
+        note = self.sizes.describe(sign, printed) if is_size else note
         role = Role.NUMBER if is_size or is_calculated else Role.CONSTRAINT
         row = replace(row, says=stated, note=f"{row.note} {note}".strip())
         return row, replace(sign, role=role), True
@@ -211,7 +211,7 @@ def _state_put_in(sign: Sign, printed: Printed, sizes: LetterSizes) -> PutIn | s
             values += [value] if off.is_finite() else []
     if not values:
         known = sizes.list_at(printed)[-1]
-        return tell_missing(sizes.known.settle(formula).free_symbols - known.keys())
+        return describe_missing(sizes.known.settle(formula).free_symbols - known.keys())
     nearest = min(values, key=lambda value: measure_off(value, given))
     told = _ROUNDED if _is_near(nearest, given, _NEAR) else _OTHERS
     return told.format(show(given), show(nearest))
@@ -316,7 +316,7 @@ def _list_settled(
     for numbers in ({}, numbered):
         at = sizes.list_at(printed)[-1] | {s: one.size.value for s, one in numbers.items()}
         for one in sizes.known.list_formulas(formula, at, at):
-            yield one, at, sizes.tell_used(one.free_symbols, numbers, printed)
+            yield one, at, sizes.describe_used(one.free_symbols, numbers, printed)
 
 
 def _is_near(value: sp.Expr, given: sp.Expr, share: float) -> bool:

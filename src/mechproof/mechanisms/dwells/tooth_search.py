@@ -12,7 +12,7 @@ from typing import Any, Literal, NamedTuple
 from mechproof.arguments.scalars import refuse, require
 from mechproof.mechanisms.dwells.ratio import Place, Span
 from mechproof.mechanisms.parameters import Number, check_number, check_teeth
-from mechproof.tools.extras import tell_missing
+from mechproof.tools.extras import describe_missing
 
 CONVEX = Fraction(1, 3)
 SHOWN = 20
@@ -166,7 +166,7 @@ def _check(
 
         from mechproof.mechanisms.dwells import band_dwells, ratio
     except ImportError as error:
-        raise ImportError(tell_missing("find_dwells", "derive", error.name)) from error
+        raise ImportError(describe_missing("find_dwells", "derive", error.name)) from error
     if (eta is None) == (band is None):
         refuse("band", band, f"give exactly one of band and eta = {eta!r}", TypeError)
     angle, limit = check_number("width", width), check_number("largest_e", largest_e)
