@@ -375,7 +375,7 @@ def displacement(
 
     Proved, where |alpha|, |beta|, |gamma| <= 11/7, as long as no result overflows or falls
     below the normal range: at most 12.8 eps with np.tan within 1 ulp and np.matmul by products
-    and their sums in any order, found 6.57; at most 18.72 eps compiled, found 7.28.
+    and their sums in any order, found 6.57; at most 18.5 eps compiled, found 7.28.
 
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 

@@ -1,10 +1,10 @@
 """Elementary functions in plain arithmetic, for compiled kernels.
 
-What their approximations are off by is enclosed in balls over the whole interval.
-Angles up to 67108864.0 rad are reduced here. Farther out the C library's functions
-are taken if `exact` is true; for None it is NaN.
+The errors of their approximations are enclosed in balls over the whole interval.
+Angles up to 67108864.0 rad are reduced here. Beyond that the C library's functions
+are used if `exact` is true; if it is None the result is NaN.
 
-Compiled with them: `compiled_support` b3b3853d8d37.
+Compiled with them: `compiled_support` fa39b2599650.
 
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """

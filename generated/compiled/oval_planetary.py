@@ -1,14 +1,14 @@
 """Compiled kernels of the system `oval_planetary`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.oval_planetary`,
-and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
-compiles can call kernels, of numbers with arrays, too; arguments with components are
-then indexed, and so are results.
+and so are the formulas. Kernels take numbers and NumPy arrays. Functions that numba
+compiles can call them, also with numbers and arrays mixed; arguments and results with
+components are then indexed.
 
-Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
-is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
+Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help
+states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.
 
-Elementary functions: `elementary` 39134f4ec3e4.
+Elementary functions: `elementary` 2b47f198006a.
 
 Generated from the derivation oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

@@ -1,19 +1,19 @@
 """Compiled kernels of the system `track_wheel`: one loop for each, by numba.
 
 Names, arguments, domains, NaN and errors are those of `mechproof.kernels.track_wheel`,
-and so are the formulas. Numbers and NumPy arrays are taken. Functions that numba
-compiles can call kernels, of numbers with arrays, too; arguments with components are
-then indexed, and so are results.
+and so are the formulas. Kernels take numbers and NumPy arrays. Functions that numba
+compiles can call them, also with numbers and arrays mixed; arguments and results with
+components are then indexed.
 
-Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
-is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
+Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help
+states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.
 
-Elementary functions: `elementary` 39134f4ec3e4.
+Elementary functions: `elementary` 2b47f198006a.
 
-Sums over axes are added in the order of the index, with the rest of every addition. Many
-sets of terms are added beside each other, each to the bits that it has alone. Inside
-functions that numba compiles they take one array of terms for each argument, or a number for
-equal ones.
+Sums over axes are added in the order of the index, keeping the rounding error of every
+addition. Many sets of terms are added side by side, each to the same bits as alone. Inside
+functions that numba compiles, a sum takes one array of terms for each argument, or a number
+if all are equal.
 
 Generated from the derivation track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

@@ -76,7 +76,7 @@ def ratio_printed(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `ratio`.
+    Same domain as `ratio`.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -118,7 +118,7 @@ def ratio_half_angle(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `ratio`.
+    Same domain as `ratio`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -157,7 +157,7 @@ def position_printed(
 
     Its derivative is not the ratio (8), and it jumps where x/2 passes pi/2.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     Source: Prikhodko et al. 2024, equation (12).
 
@@ -199,7 +199,7 @@ def position_principal(
 
     Right for |phi1| < pi*R2/R1, beyond that off by multiples of 2*pi.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected.
 
@@ -238,7 +238,7 @@ def position_floor(
 
     Proved for |x - 2 pi m| < pi; the computed floor and tangent disagree at the ends.
 
-    Domain as that of `position`, |x| < pi, the first branch of the half-angle.
+    Same domain as `position`, |x| < pi, the first branch of the half-angle.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -271,7 +271,7 @@ def position_atan2(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -301,7 +301,7 @@ def position_atan2_stable(
         x = k*phi1
         nearest = 1 - e
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -344,7 +344,7 @@ def position_tan_half(
         x = k*phi1
         nearest = 1 - e
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -377,10 +377,10 @@ def position_fourier_2(
         k = R1/R2
         x = k*phi1
 
-    Approximation, Fourier series, 2 terms: |result - exact| <= 2*e**3/(3 - 3*e), rounding
-    apart.
+    Approximation, Fourier series, 2 terms: |result - exact| <= 2*e**3/(3 - 3*e), apart from
+    rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -421,10 +421,10 @@ def position_fourier_4(
         k = R1/R2
         x = k*phi1
 
-    Approximation, Fourier series, 4 terms: |result - exact| <= 2*e**5/(5 - 5*e), rounding
-    apart.
+    Approximation, Fourier series, 4 terms: |result - exact| <= 2*e**5/(5 - 5*e), apart from
+    rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -470,10 +470,10 @@ def position_fourier_8(
         k = R1/R2
         x = k*phi1
 
-    Approximation, Fourier series, 8 terms: |result - exact| <= 2*e**9/(9 - 9*e), rounding
-    apart.
+    Approximation, Fourier series, 8 terms: |result - exact| <= 2*e**9/(9 - 9*e), apart from
+    rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -539,9 +539,9 @@ def position_fourier_2_single(
     The bound includes the roundings of float32, |x| <= 2**26.
 
     Approximation, Fourier series, 2 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
-    - e)) + 2*e**3/(3 - 3*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
+    - e)) + 2*e**3/(3 - 3*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), apart from rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -590,9 +590,9 @@ def position_fourier_4_single(
     The bound includes the roundings of float32, |x| <= 2**26.
 
     Approximation, Fourier series, 4 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
-    - e)) + 2*e**5/(5 - 5*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
+    - e)) + 2*e**5/(5 - 5*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), apart from rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -648,9 +648,9 @@ def position_fourier_8_single(
     The bound includes the roundings of float32, |x| <= 2**26.
 
     Approximation, Fourier series, 8 terms, float32: |result - exact| <= 2**-24 + 17*e/(2**24*(1
-    - e)) + 2*e**9/(9 - 9*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), rounding apart.
+    - e)) + 2*e**9/(9 - 9*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), apart from rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -724,10 +724,10 @@ def position_fourier_12_single(
     The bound includes the roundings of float32, |x| <= 2**26.
 
     Approximation, Fourier series, 12 terms, float32: |result - exact| <= 2**-24 +
-    17*e/(2**24*(1 - e)) + 2*e**13/(13 - 13*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2),
-    rounding apart.
+    17*e/(2**24*(1 - e)) + 2*e**13/(13 - 13*e) + e*(2 + 24*e + 4*e**2)/(2**24*(1 - e)**2), apart
+    from rounding.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -806,7 +806,7 @@ def acceleration_direct(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `acceleration`.
+    Same domain as `acceleration`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -850,7 +850,7 @@ def acceleration_half_angle(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `acceleration`.
+    Same domain as `acceleration`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
@@ -899,7 +899,7 @@ def jerk_direct(
         k = R1/R2
         x = k*phi1
 
-    Domain as that of `jerk`.
+    Same domain as `jerk`.
 
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)

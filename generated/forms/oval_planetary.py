@@ -77,7 +77,7 @@ def ratio_printed(
     The print with its sign reversed, wheel 6 at its mounted angle; proved to be the speed of
     wheel 3, which the row on any mount has for the map.
 
-    Domain as that of `ratio`.
+    Same domain as `ratio`.
 
     Source: Prikhodko et al. 2024 (oval wheels), equations (3)-(6) and (10).
 
@@ -136,7 +136,7 @@ def ratio_direct(
         beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
         gamma_double = e2*(2 + 2*e1)*sin(2*mount)
 
-    Domain as that of `ratio`.
+    Same domain as `ratio`.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -185,7 +185,7 @@ def position_atan2(
 
     Proved for each pair; the rows on any mount put the pairs in series.
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -229,7 +229,7 @@ def position_floor(
     Proved to be that by atan2, for each angle beside pi m; the computed floor and tangent
     disagree at the ends.
 
-    Domain as that of `position`, each angle is on its first branch.
+    Same domain as `position`, each angle is on its first branch.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -286,7 +286,7 @@ def position_unsplit(
         beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
         gamma_double = e2*(2 + 2*e1)*sin(2*mount)
 
-    Domain as that of `position`.
+    Same domain as `position`.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -340,7 +340,7 @@ def acceleration_direct(
         beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
         gamma_double = e2*(2 + 2*e1)*sin(2*mount)
 
-    Domain as that of `acceleration`.
+    Same domain as `acceleration`.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -409,7 +409,7 @@ def ratio_cylindrical_printed(
 
     The print with its sign reversed.
 
-    Domain as that of `ratio_cylindrical`.
+    Same domain as `ratio_cylindrical`.
 
     Source: Prikhodko et al. 2024 (oval wheels), equations (4) and (10).
 
@@ -464,7 +464,7 @@ def ratio_cylindrical_half_angle(
         k = R4/R5
         x = 2*k*phi1
 
-    Domain as that of `ratio_cylindrical`.
+    Same domain as `ratio_cylindrical`.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -506,7 +506,7 @@ def position_cylindrical_atan2(
         k = R4/R5
         x = 2*k*phi1
 
-    Domain as that of `position_cylindrical`.
+    Same domain as `position_cylindrical`.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -547,7 +547,7 @@ def position_cylindrical_atan2_stable(
         x = 2*k*phi1
         nearest = 1 - e2
 
-    Domain as that of `position_cylindrical`.
+    Same domain as `position_cylindrical`.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -592,7 +592,7 @@ def position_cylindrical_floor(
 
     Proved for |x - 2 pi m| < pi; the computed floor and tangent disagree at the ends.
 
-    Domain as that of `position_cylindrical`, |x| < pi, the first branch.
+    Same domain as `position_cylindrical`, |x| < pi, the first branch.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -630,7 +630,7 @@ def acceleration_cylindrical_direct(
         k = R4/R5
         x = 2*k*phi1
 
-    Domain as that of `acceleration_cylindrical`.
+    Same domain as `acceleration_cylindrical`.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
@@ -691,7 +691,7 @@ def jerk_direct(
         beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
         gamma_double = e2*(2 + 2*e1)*sin(2*mount)
 
-    Domain as that of `jerk`.
+    Same domain as `jerk`.
 
     """
     phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
@@ -759,7 +759,7 @@ def jerk_cylindrical_direct(
         k = R4/R5
         x = 2*k*phi1
 
-    Domain as that of `jerk_cylindrical`.
+    Same domain as `jerk_cylindrical`.
 
     """
     phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)

@@ -65,7 +65,7 @@ def constant_chord_handbook(
 
     Printed for a profile angle of 20 deg, rounded; wrong for every other.
 
-    Domain as that of `constant_chord`.
+    Same domain as `constant_chord`.
 
     """
     m, alpha = _as_floats("m alpha", m, alpha)
@@ -94,7 +94,7 @@ def chord_height_handbook(
 
     Printed for a profile angle of 20 deg, rounded; wrong for every other.
 
-    Domain as that of `chord_height`.
+    Same domain as `chord_height`.
 
     """
     m, alpha = _as_floats("m alpha", m, alpha)
@@ -124,7 +124,7 @@ def height_change_distances(
             pi/(2*z) + tan(alpha))*sin(alpha + tilt) - cos(alpha + tilt))
         r_b = m*z*cos(alpha)/2
 
-    Domain as that of `height_change`.
+    Same domain as `height_change`.
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
@@ -192,9 +192,9 @@ def height_change_first_order(
     Taylor's remainder with |sin|, |cos| <= 1.
 
     Approximation, first order in the tilt: |result - exact| <= m*tilt**2*(pi/2 + z*(2 +
-    |tilt|))/4, rounding apart.
+    |tilt|))/4, apart from rounding.
 
-    Domain as that of `height_change`.
+    Same domain as `height_change`.
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
@@ -238,7 +238,7 @@ def thickness_change_chords(
             sin(alpha) - (pi/(2*z) + tan(alpha))*cos(alpha) - sin(alpha + tilt))
         r_b = m*z*cos(alpha)/2
 
-    Domain as that of `thickness_change`.
+    Same domain as `thickness_change`.
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
@@ -289,7 +289,7 @@ def thickness_change_half_angle(
         r_b = m*z*cos(alpha)/2
         t_c = pi/(2*z) + tan(alpha)
 
-    Domain as that of `thickness_change`.
+    Same domain as `thickness_change`.
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
@@ -348,9 +348,9 @@ def thickness_change_first_order(
     Taylor's remainder with |sin|, |cos| <= 1.
 
     Approximation, first order in the tilt: |result - exact| <= m*tilt**2*(pi/2 + z*(2 +
-    |tilt|))/2, rounding apart.
+    |tilt|))/2, apart from rounding.
 
-    Domain as that of `thickness_change`.
+    Same domain as `thickness_change`.
 
     """
     tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
@@ -399,9 +399,9 @@ def thickness_change_by_height(
     The derivative of what is missing is proved; |sin(tilt)| <= |tilt|, integrated.
 
     Approximation, 2 tan(alpha) times the height: |result - exact| <= m*tilt**2*(pi/4 + z/2 +
-    z*|tilt|/3), rounding apart.
+    z*|tilt|/3), apart from rounding.
 
-    Domain as that of `thickness_change`.
+    Same domain as `thickness_change`.
 
     Source: paper on tooth thickness, step 6 with the exact derivative.
 
@@ -459,7 +459,7 @@ def thickness_change_linear_printed(
     Judged, as (1), to a hundredth of Delta_h; 2*tan(20 deg) = 0.7279, and it is not meant for
     other angles.
 
-    Domain as that of `thickness_change_linear`.
+    Same domain as `thickness_change_linear`.
 
     Source: paper on tooth thickness, equation (1).
 
@@ -491,7 +491,7 @@ def thickness_error_printed(
     Takes the diameter for the radius and, as no sign is printed, the tip's part with the sign
     of the gauge's; 0.7284 approximates 2*tan(20 deg) = 0.7279.
 
-    Domain as that of `thickness_error`.
+    Same domain as `thickness_error`.
 
     Source: paper on tooth thickness, equation (1) and step 5.
 

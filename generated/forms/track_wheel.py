@@ -82,7 +82,7 @@ def displacement_direct(
 
     The entries of K are rounded before the ones are taken off.
 
-    Domain as that of `displacement`.
+    Same domain as `displacement`.
 
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
@@ -138,9 +138,9 @@ def displacement_linear(
     The bound is that of the norm of the error.
 
     Approximation, first order in the angles: |result - exact| <= sqrt(x_13**2 + y_13**2 +
-    z_13**2)*(|alpha| + |beta| + |gamma|)**2/2, rounding apart.
+    z_13**2)*(|alpha| + |beta| + |gamma|)**2/2, apart from rounding.
 
-    Domain as that of `displacement`.
+    Same domain as `displacement`.
 
     """
     points, angles, shift = _as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
@@ -167,7 +167,7 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
 
         planar_error_printed = sqrt(Delta_x0**2 + Delta_y0**2)
 
-    Domain as that of `planar_error`.
+    Same domain as `planar_error`.
 
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
@@ -190,7 +190,7 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
 
         spatial_error_printed = sqrt(Delta_x0**2 + Delta_y0**2 + Delta_z0**2)
 
-    Domain as that of `spatial_error`.
+    Same domain as `spatial_error`.
 
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
@@ -215,7 +215,7 @@ def radius_printed(
 
         radius_printed = A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2)
 
-    Domain as that of `radius`, A has either sign.
+    Same domain as `radius`, A has either sign.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -254,7 +254,7 @@ def track_printed(
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*sin(phi)]
         [H]
 
-    Domain as that of `track`, A has either sign.
+    Same domain as `track`, A has either sign.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -298,7 +298,7 @@ def error_sum_thermal_direct(
         error_sum_thermal_direct = sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*
             tolerances[i]**2))/sqrt(total_scatter**2 - thermal_scatter**2*thermal_share**2)
 
-    Domain as that of `error_sum_thermal`, the temperature error is below the total.
+    Same domain as `error_sum_thermal`, the temperature error is below the total.
 
     """
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = _as_floats(

@@ -90,7 +90,7 @@ def lever_angle_printed(
 
     Beyond a right angle of the lever it is off by pi.
 
-    Domain as that of `lever_angle`, the radicand of Q is positive.
+    Same domain as `lever_angle`, the radicand of Q is positive.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -146,7 +146,7 @@ def lever_angle_atan2(
             (l_AB + l_CD)*(l_AB + l_CD + x1)))
         Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
 
-    Domain as that of `lever_angle`, the radicand of Q is positive.
+    Same domain as `lever_angle`, the radicand of Q is positive.
 
     """
     x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
@@ -181,7 +181,7 @@ def rod_displacement_printed(
 
         rod_displacement_printed = l_DE*(cos(alpha_DE + phi3) - cos(alpha_DE))
 
-    Domain as that of `rod_displacement`.
+    Same domain as `rod_displacement`.
 
     Source: Bazuev et al. 2021, equation (3).
 
@@ -210,7 +210,7 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
 
         clearance_printed = Piecewise((0, x5 < l_GH), (x5 - l_GH, True))
 
-    Domain as that of `clearance`.
+    Same domain as `clearance`.
 
     Source: Bazuev et al. 2021, equation (4).
 
@@ -244,7 +244,7 @@ def roller_lever_angle_printed(
 
     R = 0 is in neither case: NaN.
 
-    Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
+    Same domain as `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -287,7 +287,7 @@ def roller_lever_angle_or_else(
 
     At R = 0 the quotient is infinite and (8) off by pi.
 
-    Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
+    Same domain as `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
@@ -316,7 +316,7 @@ def roller_lever_angle_atan2(
         roller_lever_angle_atan2 = atan2(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) - x5)**2),
             l_KL*cos(alpha_KL) - x5) - alpha_KL
 
-    Domain as that of `roller_lever_angle`, the roller lever follows the link 5'.
+    Same domain as `roller_lever_angle`, the roller lever follows the link 5'.
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
@@ -343,7 +343,7 @@ def roller_lever_angle_arccosine(
 
         roller_lever_angle_arccosine = acos(cos(alpha_KL) - x5/l_KL) - alpha_KL
 
-    Domain as that of `roller_lever_angle`, alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards.
+    Same domain as `roller_lever_angle`, alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards.
 
     """
     x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
@@ -372,7 +372,7 @@ def wedge_displacement_printed(
 
         wedge_displacement_printed = l_LM*(sin(alpha_LM + phi7) - sin(alpha_LM))
 
-    Domain as that of `wedge_displacement`.
+    Same domain as `wedge_displacement`.
 
     Source: Bazuev et al. 2021, equation (10).
 
@@ -428,8 +428,8 @@ def position_printed(
 
     Stage by stage; R = 0 is in neither case: NaN.
 
-    Domain as that of `position`, the radicand of Q is positive and x1 > -(l_AB + l_CD), A has
-    not passed D; R > 0 or R < 0, |R| <= l_KL.
+    Same domain as `position`, the radicand of Q is positive and x1 > -(l_AB + l_CD), A has not
+    passed D; R > 0 or R < 0, |R| <= l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -553,8 +553,8 @@ def position_atan2(
 
     Stage by stage.
 
-    Domain as that of `position`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in
-    [0, pi), KL upwards.
+    Same domain as `position`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in [0,
+    pi), KL upwards.
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
@@ -640,8 +640,8 @@ def velocity_slopes(
 
     Stage by stage, at the angles of the chain with atan2.
 
-    Domain as that of `velocity`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in
-    [0, pi), KL upwards.
+    Same domain as `velocity`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in [0,
+    pi), KL upwards.
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
@@ -755,8 +755,8 @@ def sensitivities_slopes(
 
     Stage by stage, at the angles of the chain with atan2.
 
-    Domain as that of `sensitivities`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa)
-    in [0, pi), KL upwards.
+    Same domain as `sensitivities`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in
+    [0, pi), KL upwards.
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
