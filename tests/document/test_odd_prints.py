@@ -22,7 +22,7 @@ ODD = {
     r"\sum_{i=5}^{1}i=0": "a sum from 5 to 1 is not worked out",
     r"\lfloor x\rfloor=\lceil x\rceil": "a misprint, or a constraint?",
     r"\int_0^x\int_0^ya\,da\,dy=1": "an integral of an integral cannot be enclosed",
-    r"\max_x\mathbf{v}=1": "values of letters cannot be put in",
+    r"\max_x\mathbf{v}=1": "values of letters cannot be substituted",
     r"\cos x\approx1": "an approximation",
 }
 # Elements whose index is another where n is.

@@ -10,7 +10,7 @@ from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
 BEYOND = "after all printed terms"
-DIFFERS = "so that a printed term differs"
+DIFFERS = "so a printed term differs"
 # An approximation, with what its difference begins, and where.
 SERIES = [
     (r"\sin x\approx x", "-x**3/6", BEYOND),
@@ -43,7 +43,7 @@ def test_the_order_of_what_is_left_out_is_told(latex: str, begins: str, said: st
 def test_nothing_more_is_said_of_what_begins_no_series(latex: str) -> None:
     assert judge(latex) == (
         Verdict.UNDECIDED,
-        "an approximation: how close both sides are meant to be is not said",
+        "an approximation: it does not say how close the two sides are meant to be",
     )
 
 

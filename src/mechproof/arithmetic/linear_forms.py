@@ -16,7 +16,7 @@ Ends = Any
 # More than all roundings of an operation, relative to the sizes of its operands, for a dozen sides;
 # and more than what falls below the normal range.
 ROUNDED, UNDERFLOWN = 2.0**-46, 2.0**-1000
-# The changes of what stands still along all sides.
+# The changes of a quantity that does not change along any side.
 STILL = np.zeros((1, 1))
 
 
@@ -27,8 +27,8 @@ class LinearForm:
 
     def __init__(self, middle: Ends, changes: Ends, rest: Ends) -> None:
         self.middle, self.changes, self.rest = middle, changes, rest
-        # How far the changes lead from the middle, how far the quantity may be from there, and the
-        # largest size that it may have.
+        # The farthest that the changes lead from the middle, the farthest that the quantity may be
+        # from there, and its largest possible size.
         self.swing = 0.0 if changes is STILL else np.add.reduce(np.abs(changes))
         self.reach = self.swing + rest
         self.size = np.abs(middle) + self.reach
@@ -54,7 +54,7 @@ class LinearForm:
 
     def _bend(self, other: LinearForm) -> tuple[Ends, Ends]:
         """Return the middle of the product of both changes, and how far it may be from there."""
-        # The way along one side, squared, is between nothing and all of it.
+        # The square of the position along one side, which is from -1 to 1, is from 0 to 1.
         half = self.changes * other.changes / 2
         return np.add.reduce(half), self.swing * other.swing - np.add.reduce(np.abs(half))
 

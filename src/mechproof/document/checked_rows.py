@@ -15,12 +15,11 @@ from mechproof.record import Row
 from mechproof.sources.located_text import Place
 from mechproof.tools.processes import WorkerError
 
-# Why an equation is not judged with which a step of ours fails.
+# Why an equation is not judged if a step of the program fails on it.
 UNFORESEEN = (
-    "it could not be judged: it has a form that was not foreseen; print it in another way, or part "
-    "by part"
+    "it could not be judged: it has an unexpected form; print it in another way, or in parts"
 )
-# The name of an error of Python, and what it says.
+# The name of a Python exception, in front of its message.
 _RAISED = re.compile(r"([A-Za-z]\w*(?:Error|Exception|Needed|Failed)|[A-Z]\w+): ")
 # A member of a family with a value of its index, such as d_{bi}[1].
 _MEMBER = re.compile(r"_(?:\{([^{}]*?)([i-n]+)\}|([i-n]+))\[([^\[\]]+)\]")
@@ -84,12 +83,12 @@ def make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
 
 
 def _describe_failure(error: WorkerError) -> str:
-    """Say in words why a row has no answer, with the technical name in brackets."""
+    """Return why a row has no answer, with the name of the exception in brackets."""
     told = str(error)
     if found := _RAISED.match(told):
         return f"{UNFORESEEN} ({found[1]})"
     is_ended = told.startswith("its process ended")
-    return f"{told}: it may need more memory than there is" if is_ended else told
+    return f"{told}: it may need more memory than is available" if is_ended else told
 
 
 def show_left(left: Left) -> CheckedRow:

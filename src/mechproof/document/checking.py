@@ -240,7 +240,7 @@ def _leave_open(at: Judging) -> Changes:
             is_said = UNLIKE in found.reason or ROOT in found.reason
             yield number, make_row(task, found.reason if is_said else describe_unlike(task))
         elif task.is_indexed:
-            yield number, make_row(task, "that the bracket has this value there was not shown")
+            yield number, make_row(task, "it was not shown that the bracket has this value there")
         elif task.is_either:
             yield number, make_row(task, EITHER)
 

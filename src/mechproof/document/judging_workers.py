@@ -47,7 +47,7 @@ _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 # Seconds that reading, or judging, one equation may take.
 LIMIT = 60.0
-# Errors of ours, whose messages are sentences.
+# Errors raised by mechproof itself, whose messages are sentences.
 _UNDECIDED = (RecordError, ContradictionError, NotImplementedError)
 # Completes the reason of a row that differs from another value of the same letter.
 UNLIKE = ", which has the same letters: one of them is wrong or about another case"
@@ -109,10 +109,10 @@ def judge_row(tasks: Sequence[Task], number: int) -> Judgement | str:
 
 
 def _describe(error: Exception) -> str:
-    """Say why a row is not decided; that two proofs contradict each other is a fault of ours."""
+    """Return why a row is not decided; proofs that contradict each other are a bug here."""
     if isinstance(error, ContradictionError):
         return (
-            "a proof of it and points contradict each other: a fault of mechproof, please tell us"
+            "its proof and its values contradict each other: a bug in mechproof, please report it"
         )
     return str(error)
 
@@ -231,7 +231,7 @@ def _say_compared(task: Task, found: Judgement) -> Judgement:
 
 
 def _ask_unit_matrix(task: Task) -> str:
-    """Ask whether the letter that a row defines by matrices is a unit matrix, as I mostly is."""
+    """Ask whether a letter that matrices define is a unit matrix, as I usually is."""
     says, name = task.row.says, str(task.sign.letter)
     symbol = says.symbol if isinstance(says, Definition) else None
     is_printed = r"\begin{" in task.row.printed_latex

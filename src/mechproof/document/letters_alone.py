@@ -156,9 +156,9 @@ def _note_piece(
 
 
 def _show_range(relation: sp.Basic, by: sp.Basic, known: Known) -> sp.Basic:
-    r"""Return a bound of a letter that another gives as a bound of that: 0<=\theta/\beta.
+    r"""Turn a bound of a letter defined by `by` into a bound of `by`: 0<=\theta/\beta.
 
-    What it grows with has to be declared to be positive.
+    The letter must grow with `by`, as seen from the letters that are declared positive.
     """
     letter = next((s for s in relation.free_symbols if s in known.values), None)
     is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge) and letter in relation.args

@@ -29,7 +29,7 @@ RUNG = "separating balls"
 _COUNTS = (16, 32)
 _ENOUGH = 8
 FEW = 4
-# Functions with steps: what is changed in them may change no value at many points.
+# Functions with steps: a change inside them may change no value at many points.
 _STEPS = (sp.floor, sp.ceiling)
 # Changes of one print that are tried.
 MOST = 6000

@@ -176,7 +176,7 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
 
 
 def _is_input(symbol: sp.Basic, value: Any, known: Known) -> bool:
-    r"""Return whether a letter on the right has a size, and others have none: r\sin q-l\sin p=e."""
+    r"""Return whether a letter has a size that other letters lack: e in r\sin q-l\sin p=e."""
     sizes = known.symbols.usual.keys()
     is_free = symbol in sizes and symbol not in known.values
     return is_free and bool(getattr(value, "free_symbols", set()) - sizes)

@@ -1,6 +1,6 @@
-r"""Values that the words around an equation say of letters for one case: for $a=b$ it becomes.
+r"""Values that the words around an equation give letters for one case: for $a=b$ it becomes.
 
-They may prove what is printed of the case. They accuse nothing: it may be meant otherwise.
+They may prove what is printed for the case, but refute nothing: the words may mean something else.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from mechproof.nomenclature.said_relations import read_relations
 from mechproof.sources.displays import Printed
 from mechproof.sources.paper_files import Source
 
-# Words of a case in the sentence before a formula; behind a display they may be the first ones.
+# Words that introduce a case in the sentence before a formula, or right after a display.
 _CASE = re.compile(
     r"(?<!solved )(?<!solve )\b(?:for|if|when|in the case)\b[^.;:]*\Z", re.IGNORECASE
 )
@@ -27,7 +27,7 @@ _BEHIND = re.compile(r"[\s.,;]*(?:if|for|when|provided(?:\s+that)?)\s+\Z")
 
 @dataclass(frozen=True)
 class SaidCase:
-    """What is said of a letter, where in the text, and of what display it is said if behind it."""
+    """A value said of a letter, its place in the text, and the display it follows, if any."""
 
     letter: sp.Basic
     value: sp.Expr
@@ -36,10 +36,10 @@ class SaidCase:
 
 
 class SaidCases:
-    """The cases of which the words of a paper speak, in their order."""
+    """The cases that the words of a paper mention, in their order."""
 
     def __init__(self, source: Source, printed: Sequence[Printed], known: Known) -> None:
-        """Find what sentences say that letters are in a case."""
+        """Find the values that sentences give letters for a case."""
         self.printed, self.known = printed, known
         self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
         self.displays = [match.span() for match in DISPLAY.finditer(source.text.string)]
@@ -65,10 +65,10 @@ class SaidCases:
             yield SaidCase(letter, value, place, span if is_behind else None)
 
     def list_at(self, printed: Printed, signs: Sequence[Sign]) -> Values:
-        """Return the values said of letters around an equation, of each letter just one.
+        """Return the values that words around an equation give letters, if unique for the letter.
 
-        Zeros before it are found elsewhere. An equation that prints a letter is not meant for a
-        number that it has in one case.
+        Zeros before it are found elsewhere. Numbers are left out for letters that the equation
+        prints: it does not hold for that case only.
         """
         if printed.announced.is_general:
             return {}

@@ -55,7 +55,7 @@ T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
 _MEMBER = ", a member of a family: declare it as a separate letter"
-UNFIT = "numbers and matrices do not fit together here, or values of letters cannot be put in"
+UNFIT = "numbers and matrices do not fit together here, or values of letters cannot be substituted"
 # Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
@@ -301,7 +301,7 @@ class Document:
             known += _MEMBER if known != reason and known.endswith("]") else ""
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
         except Exception as error:
-            # No equation can end the run.
+            # No single equation may end the run.
             told = f"{UNFORESEEN} ({type(error).__name__})"
             return self._leave(printed, State.NOT_JUDGED, told)
 

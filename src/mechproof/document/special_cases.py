@@ -68,9 +68,9 @@ def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> R
 def stay_at_last_piece(
     row: Row, sign: Sign, printed: Printed, every: Sequence[Printed], known: Known
 ) -> Row:
-    """Say of a derivative between the pieces of a law that it is that of the last one before.
+    """Relate a derivative printed between the pieces of a law to the last piece before it.
 
-    Behind all of them, or in a range of its own, it is that of the law.
+    After all pieces, or with a range of its own, it is the derivative of the whole law.
     """
     order = [one.name for one in every]
     _, steps = known.symbols.find_steps(sign.letter) if sign.letter else (None, ())

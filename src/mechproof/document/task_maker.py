@@ -125,9 +125,10 @@ class TaskMaker:
         local: Mapping[sp.Basic, Any],
         told: Mapping[sp.Basic, Any],
     ) -> Task | Left:
-        """Add to a task its variant at values that nearby text or a worked example states.
+        """Add to a task its variants at values that nearby text or a worked example states.
 
-        What holds in an example that it may not belong to is kept apart, and in a case.
+        The values of an example that it may not belong to (`local`) and those of a case (`told`)
+        have variants of their own.
         """
         if isinstance(task, Left) or task.residual is None or sign.role not in _SPECIAL:
             return task

@@ -100,24 +100,24 @@ class Task:
     """A row to be judged: its place, its sign, and the paper that it is judged in.
 
     `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
-    `residual` is their difference, the values of letters put in, `rates` are its derivatives.
-    `is_either` tells a constraint that may also be meant as an identity: both sides have the same
-    letters, and the block does not say which it is. `is_solution` tells a later print of a letter
-    that may be another solution, or an inequality that may be said of another case. `others`
-    compare the same print with further members of the chain that it is compared with.
-    `follows` names what the block says that it follows from. `is_loose`
-    tells that a letter that no other equation has makes it true, whatever the others are;
-    `ties_running` that it has a letter on which others depend and none of those: if it holds for
-    all values, a letter depends on it of which that is not said. `is_case` tells that words before
-    it may announce another case, or that the block says it to be a constraint, `is_excused` also
-    that it has a letter that nothing else has, on one side: it may say what is said nowhere else.
-    `said` is what words before it announce, `at` are the values of letters that a condition beside
-    it says, `special` is the row at those that words before it say, too. `anew` are the values of
-    letters and derivatives if it is another case; None for one without a value then. `is_given`
-    tells that the block says it to be a constraint. `local` is the row at the values that worked
-    examples print of letters, which may not be meant here. `case` is the row at those that words
-    around it say of a case, where it may be proved. `rests_on` names an equation that has to
-    be proved for it, and what is said otherwise.
+    `residual` is their difference with the values of letters put in, `rates` are its derivatives.
+    `is_either` marks a constraint that may also be meant as an identity: both sides have the same
+    letters, and the block does not say which it is. `is_solution` marks a later print of a letter
+    that may be another solution, or an inequality that may belong to another case. `others`
+    compare the same print with further members of the chain that it is compared with. `follows`
+    names the equations from which it follows according to the block. `is_loose` says that it has a
+    letter that no other equation has, and that can make it true whatever the other letters are;
+    `ties_running` that it has a letter on which others depend, but none of those: if it holds for
+    all values, some letter depends on that one without being declared so. `is_case` says that words
+    before it may announce another case, or that the block calls it a constraint; `is_excused` also
+    that a letter of one side occurs nowhere else: it may state something new. `said` is what the
+    words before it announce, `at` are the values that a condition next to it gives letters,
+    `special` is the row at these and at those that words before it give. `anew` are the values of
+    letters and derivatives if it is another case, None for one without a value then. `is_given`
+    says that the block calls it a constraint. `local` is the row at the values that worked examples
+    print for letters, which might not be meant here. `case` is the row at those that words around
+    it give for a case, where it may be proved. `rests_on` names an equation that must be proved for
+    it, and the reason reported otherwise.
     """
 
     row: Row
@@ -155,7 +155,7 @@ class Task:
 
     @property
     def is_indexed(self) -> bool:
-        r"""Return whether a bracket is meant at one place only, (a/b)_{\max}."""
+        r"""Return whether the value of a bracket at one place is meant, (a/b)_{\max}."""
         return bool(_INDEXED.search(self.row.printed_latex))
 
     @property

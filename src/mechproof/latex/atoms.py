@@ -220,7 +220,7 @@ def read_excerpt(parser: Parser, whole: tree.Node, start: int) -> tree.Node:
 
 
 def is_pair(parser: Parser, count: int) -> bool:
-    """Return whether two arguments in a bracket stand so many signs ahead."""
+    """Return whether a bracket with two arguments begins `count` tokens ahead."""
     texts = [token.text for token in parser.rest[count:]]
     depths = zip(texts[: find_close(texts)], measure_depths(texts), strict=False)
     return texts[:1] == ["("] and (",", 1) in depths

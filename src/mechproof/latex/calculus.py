@@ -70,7 +70,7 @@ def _list_symbols(node: tree.Node) -> set[sp.Basic]:
 
 @dataclass(frozen=True)
 class _Range:
-    """An index of a sum, from where it goes, and what it must differ from."""
+    """An index of a sum, its first value, and the values that it skips."""
 
     index: tree.Letter
     low: tree.Node
@@ -128,7 +128,7 @@ def _name_whole(parser: Parser, name: str) -> str:
 
 
 def _read_below(parser: Parser) -> tuple[list[_Range], tree.Node | None]:
-    """Read what stands below a sum: its indices, and the last value if it stands there, too."""
+    """Read the text below a sum: its indices, and their last value if it is given there."""
     parser.take("_")
     parser.take("{")
     count = len(parser.bound)
@@ -141,7 +141,7 @@ def _read_below(parser: Parser) -> tuple[list[_Range], tree.Node | None]:
 
 
 def _begins_values(parser: Parser) -> bool:
-    """Return whether an index stands here, or several with commas, before an equals sign."""
+    r"""Return whether first values come next, k=1 or i,j=1, rather than an order, 1\le i."""
     place = 0
     while parser.peek(place + 1) == ",":
         place += 2
@@ -197,7 +197,7 @@ def _read_index(parser: Parser) -> tree.Letter:
 
 
 def _add_difference(parser: Parser, ranges: list[_Range]) -> None:
-    r"""Read k\ne i, where k or i is an index of the sum; the inner one of two differs."""
+    r"""Read k\ne i, where k or i is an index of the sum; of two, the inner one skips a value."""
     start, left = parser.start, parser.read_sum()
     parser.take(r"\ne")
     sides = (left, parser.read_sum())
@@ -206,7 +206,7 @@ def _add_difference(parser: Parser, ranges: list[_Range]) -> None:
         if len(others) == 1:
             ranges[place] = replace(one, apart=(*one.apart, *others))
             return
-    raise parser.refuse("a condition of a sum without its index", r"Print k\ne i.", start)
+    raise parser.refuse("a condition below a sum that lacks its index", r"Print k\ne i.", start)
 
 
 # Integrals --------------------------------------------------------------------------------------

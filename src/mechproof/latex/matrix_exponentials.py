@@ -1,10 +1,10 @@
-r"""Exponentials of matrices, worked out: e^{\hat\omega\theta} -> its entries.
+r"""Exponentials of matrices in closed form: e^{\hat\omega\theta} -> its entries.
 
 A matrix K with K^4 = -q^2 K^2 has e^{cK} = I + cK + (1 - cos qc)/q^2 K^2 + (qc - sin qc)/q^3 K^3, a
-polynomial for q = 0. So have the matrices of cross products, twists, and what generates turns in
-the plane; a multiple of the unit matrix may be added, and with -q^2 for q^2 the functions are
-hyperbolic. With it every 2x2 matrix is of this kind. Of others those of numbers are worked out
-whose eigenvalues are rational and different.
+polynomial in c if q = 0. The matrices of cross products, twists and rotations in the plane are of
+this kind; if q^2 is negative, the functions are hyperbolic. A multiple of the unit matrix may be
+added, which covers every 2x2 matrix. Other matrices need numbers as entries and distinct rational
+eigenvalues.
 """
 
 from __future__ import annotations
@@ -20,26 +20,26 @@ _MOST_ROWS = 6
 
 
 def give_exponential(exponent: Any) -> sp.ImmutableMatrix:
-    """Return the exponential of a matrix; `MeaningError` where it is not worked out."""
+    """Return the exponential of a matrix; raise `MeaningError` if no closed form is found."""
     matrix = show_entries(exponent)
     if not matrix.is_square:
         raise MeaningError("only square matrices have an exponential")
     if (found := exponentiate(matrix)) is not None:
         return found
-    # Entries of which nothing is known have the name of the matrix, A[1, 2].
+    # Unknown entries are named after the matrix, A[1, 2].
     if unknown := sorted(str(s).partition("[")[0] for s in matrix.free_symbols if "[" in str(s)):
         raise MeaningError(
-            f"the exponential of a matrix, and nothing says what the entries of {unknown[0]} are: "
-            "print them in an equation before, or say in the block of letters: let name=matrix"
+            f"the exponential of a matrix, but the entries of {unknown[0]} are not known: print "
+            "them in an earlier equation, or say in the block of letters: let name=matrix"
         )
     raise MeaningError(
-        "the exponential of this matrix is not worked out: only that of a cross product, of a "
-        "twist, of a matrix some power of which is zero, and of some others; print its entries"
+        "the exponential of this matrix is not worked out: only those of cross products, twists, "
+        "nilpotent matrices and some others are; print its entries"
     )
 
 
 def exponentiate(matrix: sp.MatrixBase) -> sp.ImmutableMatrix | None:
-    """Return the exponential of a square matrix, None where it is not worked out."""
+    """Return the exponential of a square matrix, None if no closed form is found."""
     if matrix.is_diagonal():
         return sp.diag(*map(sp.exp, matrix.diagonal())).as_immutable()
     if matrix.rows > _MOST_ROWS:
@@ -49,7 +49,7 @@ def exponentiate(matrix: sp.MatrixBase) -> sp.ImmutableMatrix | None:
 
 
 def _take_factor(matrix: sp.MatrixBase) -> tuple[sp.Expr, sp.MatrixBase]:
-    """Write a matrix as a multiple of another, by what its entries have in common."""
+    """Return the common factor of a matrix's entries, and the matrix divided by it."""
     common = sp.gcd_list([entry for entry in matrix if entry != 0])
     return common, matrix.applyfunc(lambda entry: sp.cancel(entry / common))
 
@@ -69,10 +69,10 @@ def _by_powers(kernel: sp.MatrixBase, scale: sp.Expr) -> sp.ImmutableMatrix | No
 
 
 def _work_out(negative: sp.Expr, scale: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the factors of the second and the third power.
+    """Return the factors of the second and the third power of a matrix.
 
-    If it is not seen which sign -q^2 has, it is taken to be negative, and they have no value where
-    it is not.
+    If the sign of -q^2 is not seen, it is taken to be negative; where it is not, the factors have
+    no value.
     """
     if (root := _take_root(negative)) is not None:
         angle = root * scale
@@ -83,9 +83,9 @@ def _work_out(negative: sp.Expr, scale: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _take_root(number: sp.Expr) -> sp.Expr | None:
-    """Return a root of what is nowhere negative, without a modulus, None of anything else.
+    """Return a square root, without a modulus, of a number seen to be nowhere negative, else None.
 
-    Cosines of the root, and sines divided by it, are the same for its opposite.
+    Either root will do: the factors of the powers are even functions of it.
     """
     above, below = (sp.factor_list(part) for part in sp.fraction(sp.together(number)))
     factor = above[0] / below[0]
@@ -107,7 +107,7 @@ def _is_sum_of_squares(number: sp.Expr) -> bool:
 
 
 def _by_shift(kernel: sp.MatrixBase, scale: sp.Expr) -> sp.ImmutableMatrix | None:
-    """Return the exponential of a matrix less a multiple of the unit matrix, times that of it."""
+    """Return the exponential of the traceless part times that of the rest of a matrix."""
     mean = sp.cancel(sp.trace(kernel) / kernel.rows)
     found = _by_powers(kernel - mean * sp.eye(kernel.rows), scale) if mean != 0 else None
     return found and (sp.exp(mean * scale) * found).as_immutable()

@@ -196,10 +196,10 @@ def put_units(chain: tree.Chain, weigh: Callable[[str], sp.Expr | None]) -> tree
 def put_sizes(
     chain: tree.Chain, weigh: Callable[[str], sp.Expr | None], own: Mapping[sp.Basic, sp.Expr]
 ) -> tree.Chain:
-    """Let the sizes in a condition be numbers in the `own` units of the letters that have them.
+    """Turn the sizes in a condition into numbers in the `own` units of their letters.
 
-    Beside a member with a unit they are quantities. A size whose letter has no unit, or one of
-    another kind, stays as it is; so does one beside a number of the same letter.
+    If a member of the chain has a unit, they become quantities. A size stays as it is if its letter
+    has no unit, a unit of another kind, or also a value without a unit.
     """
     if chain.condition is None:
         return chain
@@ -226,7 +226,7 @@ def put_sizes(
 
 
 def _has_no_unit(node: tree.Node) -> bool:
-    """Return whether a number has no unit where it needs one, as zero does not."""
+    """Return whether a number lacks a unit that it needs; zero needs none."""
     inside = split_sign(node)[1]
     return isinstance(inside, tree.Number) and sp.Rational(inside.text) != 0
 

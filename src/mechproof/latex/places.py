@@ -29,7 +29,7 @@ def read_enclosed(parser: Parser) -> Node:
     start = parser.start
     inside = parser.read_inside(LEFT, parser.read_sum, r"\rvert")
     if parser.text != "_":
-        raise parser.refuse("a bar without the place where the value is meant", place=start)
+        raise parser.refuse("a bar that does not say where the value is meant", place=start)
     return _read_place(parser, inside)
 
 
@@ -54,16 +54,16 @@ def read_bar(parser: Parser, term: Node, place: int) -> Node:
 
 
 def read_indexed(parser: Parser, term: Node) -> Node:
-    r"""Read (a/b)_{\max}, the value of a bracket at the place that \text{at }x=0 says behind it.
+    r"""Read (a/b)_{\max}, the value of a bracket at the place that \text{at }x=0 names after it.
 
-    With "for x=0" it would be the largest value in a case.
+    With "for x=0" it would mean the largest value in that case.
     """
     start, behind = parser.start, [token.text for token in parser.rest]
     if _AT not in behind or "=" not in behind[behind.index(_AT) :]:
         raise parser.refuse(
-            "an index behind a bracket: at which place is this value meant?",
-            r"Print the place behind the equation, \text{ at }x=0; or state the largest value of "
-            r"all as \max_x(…)=….",
+            "an index after a bracket: at which place is its value meant?",
+            r"Print the place after the equation, \text{ at }x=0; or state the largest value "
+            r"overall as \max_x(…)=….",
             start,
         )
     parser.take("_")
@@ -118,9 +118,9 @@ def _read_end(parser: Parser) -> tuple[Letter | None, Node]:
 
 
 def _find_moving(parser: Parser, term: Node) -> Letter | None:
-    """Return the only letter of a term, or that of an integral in the print: [x]_0^a with dx.
+    """Return the only letter of a term, or the one of integration: x in [x]_0^a with dx printed.
 
-    A letter alone may be a function of another one.
+    If the letters are functions of one other letter, return that one.
     """
     letters = {node.text: node for node in walk(term) if isinstance(node, Letter)}
     if len(letters) > 1 or isinstance(strip(term), Letter):

@@ -171,10 +171,10 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 
 
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
-    """State that the left member rounds to the number on the right, or to a multiple by it.
+    """State that the left member rounds to the number on the right, or to a multiple of it.
 
-    Beside a factor the rest of the right member is put on the other side, which is a number then.
-    Of other sides is stated no more than that they are nearly equal.
+    If the number is a factor, the rest of the right member is moved to the left, which is then a
+    number. Any other sides are only stated to be nearly equal.
     """
     value, right = _put_in(row, members, reader)
     stated = round_to(members.nodes[1], value)

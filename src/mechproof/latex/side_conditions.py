@@ -191,7 +191,7 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
 
 
 def _split_leading(parts: Sequence[ChainPart]) -> tuple[list[Chain], Sequence[ChainPart]]:
-    """Return the inequalities that stand before equations, and what stands behind them."""
+    """Return the inequalities printed before equations, and the parts after them."""
     first = next((n for n, part in enumerate(parts) if not is_inequality(part.chain)), 0)
     before = [part.chain for part in parts[:first] if not (part.said or part.chain.condition)]
     is_clear = len(before) == first and bool(parts[first].chain.relations)
@@ -283,7 +283,7 @@ def _bounds_letter(chain: Chain) -> bool:
 
 
 def is_inequality(chain: Chain) -> bool:
-    """Return whether a chain says what is larger, or that things differ, and nothing is equal."""
+    """Return whether a chain states only an order or a difference, and no equality."""
     return bool(chain.relations) and all(sign in _INEQUALITIES for sign in chain.relations)
 
 

@@ -28,8 +28,8 @@ class Number(Node):
 class Measure(Node):
     """A number with its printed unit, which is a factor next to letters.
 
-    Elsewhere the expression that it is does not show the unit. Where it `is_settled` the factor
-    makes of it a size in the unit of its letter.
+    Without letters next to it, its expression does not show the unit. If it `is_settled`, `factor`
+    turns it into a size in the unit of its letter.
     """
 
     number: Number

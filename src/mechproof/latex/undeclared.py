@@ -72,7 +72,7 @@ def read_undeclared(parser: Parser) -> Node:
     if text[1:] in AMBIGUOUS:
         unclear, options = AMBIGUOUS[text[1:]]
         raise parser.refuse(
-            f"{text[1:]} is not the same everywhere: {unclear} must be said",
+            f"{text[1:]} is not the same everywhere: state {unclear}",
             parser.remedies.function.format(text[1:]).replace("is …", f"is {options}"),
         )
     word = _upright_word(parser)

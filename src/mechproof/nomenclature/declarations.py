@@ -146,7 +146,7 @@ def _name_values(letters: Sequence[Declared]) -> list[Declared]:
 
 
 def _find_function(latex: str) -> Callable[..., sp.Expr]:
-    """Return the function that is printed so, or that has such a range."""
+    """Return the function with this printed name, or with this range."""
     if make := RANGES.get("".join(latex.split())):
         return make
     name = latex.strip().removeprefix("\\")

@@ -54,10 +54,10 @@ _DEFINING = re.compile(r",\s*(?:with|where)\s+\Z")
 _STEADY = re.compile(r"(?<!not\s)\b(?:constant|uniform(?:ly)?)\b")
 _VARYING = re.compile(r"\b(?:not\s+constant|var(?:y|ies|ying|iable)|accelerat\w+|changes?)\b")
 _BEFORE = 70
-# An equation that another one is joined to, and the characters within which it is looked for.
+# An equation that another one is joined to, and how many characters are searched for it.
 _JOINED = re.compile(r"\$[^$=]+=[^$]+\$,?\s+(?:and|or)\s+\Z")
 _FAR = 300
-# Commas between equations, but no decimal ones and none in brackets or braces.
+# Commas between equations, but not decimal commas or those in brackets or braces.
 _COMMA = re.compile(r",(?!\d)(?![^{}]*\})(?![^()]*\))")
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
@@ -126,7 +126,7 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
 
 
 def _drop_joined(before: str) -> str:
-    """Return the words before an equation, or those before others to which it is joined."""
+    """Return the words before an equation, or before the equations that it is joined to."""
     while (shorter := _JOINED.sub("", before)) != before:
         before = shorter
     return before
@@ -135,7 +135,7 @@ def _drop_joined(before: str) -> str:
 def _read_equations(
     text: str, names: Mapping[str, str]
 ) -> Iterator[tuple[str, str, tuple[str, ...], str]]:
-    """Yield letters of equations with their values, further members, and what they depend on."""
+    """Yield the letters that equations give: value, other members, letter it depends on."""
     parts = _COMMA.split(text)
     for part in parts if all("=" in one for one in parts) else [text]:
         if not (found := EQUATION.match(part)):

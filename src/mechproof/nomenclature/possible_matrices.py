@@ -12,7 +12,7 @@ from mechproof.latex.left_scripts import ACCENTS
 from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.shown_letters import name_symbol
 
-# Letters that mostly are unit matrices: I, \mathbf{1}, I_3, E; and a number in bold, which is one.
+# Letters that usually are unit matrices, I, \mathbf{1}, I_3, E; and a bold 1, which always is.
 UNIT_MATRIX = re.compile(
     r"(?:\\(?:mathbf|mathbb|mathrm|bm|boldsymbol)\s*\{?\s*)?[IE1]\s*\}?(?:_\{?\s*\d[^{}]*\}?)?"
 )
@@ -61,7 +61,8 @@ _OF_MATRICES = re.compile(
 _SUM = re.compile(
     rf"{_LEFT}[(\[](\s*{_TERM}(?:\s*[-+]\s*{_TERM})+){_RIGHT}\s*[)\]]\s*\^\s*\{{\s*-\s*1\s*\}}"
 )
-# An exponential that is a unit matrix and more: its exponent has letters with accents, or capitals.
+# An exponential that is equated to a unit matrix, or to one plus more terms: the accented letters
+# and capitals in its exponent may be matrices.
 _EXPONENTIAL = re.compile(
     r"(?:e|\\mathrm\s*\{?\s*e\s*\}?)\s*\^\s*\{(?P<raised>(?:[^{}]|\{[^{}]*\})*)\}"
     rf"|\\exp\s*{_LEFT}[(\[](?P<called>[^()\[\]]*?){_RIGHT}\s*[)\]]"
@@ -75,7 +76,7 @@ _UNIT = re.compile(r"(?<![A-Za-z_{])[IE1](?![A-Za-z_\d])")
 
 
 def list_units(block: Block) -> Iterator[str]:
-    """Yield values for square matrices that are said to be unit matrices, or printed as a one."""
+    """Yield values for square matrices described as unit matrices, or printed as a bold 1."""
     given = {name_symbol(text.partition("=")[0]) for text in block.values}
     for letter in block.letters:
         name, (rows, columns) = letter.names[0], letter.shape or (0, 0)
@@ -85,7 +86,7 @@ def list_units(block: Block) -> Iterator[str]:
 
 
 def write_unit(rows: int) -> str:
-    """Write a unit matrix."""
+    """Return the unit matrix with that many rows, in LaTeX."""
     lines = (["0"] * n + ["1"] + ["0"] * (rows - 1 - n) for n in range(rows))
     return rf"\begin{{pmatrix}}{_BREAK.join(map('&'.join, lines))}\end{{pmatrix}}"
 

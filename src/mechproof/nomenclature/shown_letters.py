@@ -65,7 +65,7 @@ _NO_LETTER = {
 }
 # Letters that mostly run through families.
 INDICES = "ijklmn"
-# The lower limit of a sum that begins with 0.
+# A sum whose lower limit is 0.
 _FROM_ZERO = re.compile(r"=\s*0\s*\}\s*\^")
 # Signs of an increment where they are alone, and so are letters.
 _INCREMENTS = {
@@ -176,7 +176,7 @@ def collect_letters(
 
 
 def _mark_transposed(latex: str, tables: Collection[str]) -> str:
-    """Print the T above letters of printed matrices upright: it is no exponent."""
+    """Set the T raised above letters of printed matrices upright: it is not an exponent."""
     return _RAISED_T.sub(
         lambda found: (
             rf"{found['letter']}^{{\mathrm{{T}}}}"
@@ -199,7 +199,7 @@ def _find_families(displays: Sequence[Collection[str]], prints: Sequence[str]) -
         indexed = [(x.rpartition("_")[0], strip_braces(x).partition("_")) for x in letters]
         running = {index for _, (stem, _, index) in indexed if stem in summed} & {*INDICES}
         families |= {shown: None for shown, (_, _, index) in indexed if index in running}
-    # The last member has its number as index: m_n, x_N. What no sum begins with is no member: x_0.
+    # The last member has its number as index: m_n, x_N. If no sum begins with 0, x_0 is no member.
     is_from_one = not any(map(_FROM_ZERO.search, prints))
     index = rf"{'(?!0(?:$|}}))' if is_from_one else ''}[-+\d{INDICES}MN]+"
     names = ((x, strip_braces(print_member(x, INDEX))) for x in families)
@@ -312,7 +312,7 @@ def find_arguments(latex: str, place: int) -> str:
 
 
 def find_places(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
-    """Return the letters behind which brackets hold nothing but places, 0 or parts of pi."""
+    """Return the letters after which brackets contain only places, 0 or parts of pi."""
     found = []
     for letter in letters:
         behind = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{_BRACKET.pattern}")

@@ -131,7 +131,7 @@ class Symbols:
         variables, where = [], [*self.where]
         for v in self.variables:
             value = given.get(v.symbol)
-            # What counts is given by what counts.
+            # The value of an integer letter is an integer, too: its set adds no condition.
             is_free = value is None or v.symbol.is_integer
             if not is_free and v.within is not sp.S.Reals:
                 where.append(v.within.as_relational(v.symbol))
@@ -195,7 +195,7 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
 def _list_rates_of(
     names: Mapping[str, sp.Basic], symbols: Symbols
 ) -> Iterator[tuple[str, sp.Basic]]:
-    """Yield the derivatives of letters with what these mean: those of what the letters mean."""
+    """Yield the printed derivatives of letters with the derivatives that they mean."""
     for latex, meant in names.items():
         by, rates = symbols.notation.moving.get(meant, (None, ()))
         for running in (v.latex[0] for v in symbols.variables if v.symbol == by):

@@ -56,9 +56,9 @@ def solve_equation(
 ) -> tuple[sp.Basic, sp.Expr]:
     r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
-    It stands alone on a side, or it or its reciprocal has a number as its factor, or what is said
-    of it makes it an inverse sine, cosine or tangent; of several the last is taken, first among
-    those that depend on others as letters of its value do.
+    It is alone on a side, or it or its reciprocal has only a number as factor, or its range makes
+    it an inverse sine, cosine or tangent. Of several, those that depend on other letters come
+    first, then those alone on a side, then the last by name.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -94,7 +94,7 @@ _INVERSES: Mapping[type[sp.Basic], tuple[type[sp.Basic], sp.Interval]] = {
 def _invert(
     equation: sp.Equality, letters: Sequence[sp.Basic], said: Sequence[sp.Basic]
 ) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    r"""Yield letters of which one function stands there, l\sin\psi=r\sin\varphi, with a range."""
+    r"""Yield letters that an inverse function gives in their range: l\sin\psi=r\sin\varphi."""
     pairs = ((equation.lhs, equation.rhs), (equation.rhs, equation.lhs))
     for letter, (side, other) in product(letters, pairs):
         factor, wave = side.as_independent(letter, as_Add=False)

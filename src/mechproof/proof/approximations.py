@@ -1,7 +1,7 @@
-"""Approximations: of which order the difference of two sides is where a letter is small.
+"""Approximations: the order of the difference of two sides where a letter is small.
 
-Nothing says how nearly equal they are meant to be, so that they are neither proved nor refuted. But
-what is left of a series has its order, which limits show.
+The print does not say how close the sides are meant to be, so it is neither proved nor refuted. But
+the remainder of a series has an order, which limits show.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from mechproof.proof.limits import settle_limits
 from mechproof.proof.witness_text import clip
 from mechproof.statement_domains.domain import Domain
 
-_OPEN = "an approximation: how close both sides are meant to be is not said"
+_OPEN = "an approximation: it does not say how close the two sides are meant to be"
 # Work limit: orders beyond that of the last printed term.
 _FARTHEST = 4
 _MOST_TERMS = 8
 
 
 def describe_order(left: Any, right: Any, domain: Domain) -> str:
-    """Say with which power the difference of two sides begins where a letter is small."""
+    """Say with which term the difference of two sides begins where a letter is small."""
     left, right = domain.resolve(left), domain.resolve(right)
     if not (isinstance(left, sp.Expr) and isinstance(right, sp.Expr)):
         return _OPEN
@@ -36,14 +36,14 @@ def describe_order(left: Any, right: Any, domain: Domain) -> str:
     beyond = [one for one in found if one[2] > one[1]]
     within = [one for one in found if right.has(one[0])]
     for letter, degree, order, factor in (*beyond, *within):
-        first = f"where {letter} is small, left - right begins with {factor * letter**order}"
-        said = "after all printed terms" if order > degree else "so that a printed term differs"
+        first = f"for small {letter}, left - right begins with {factor * letter**order}"
+        said = "after all printed terms" if order > degree else "so a printed term differs"
         return clip(f"{_OPEN}; {first}, {said}")
     return _OPEN
 
 
 def _find_degree(left: sp.Expr, right: sp.Expr, letter: sp.Symbol) -> int | None:
-    """Return the degree of the terms printed right, None if they do not begin a series."""
+    """Return the degree of the right side in a letter, None if it cannot begin a series."""
     if not right.is_polynomial(letter):
         return None
     degree = int(sp.degree(right, letter)) if right.has(letter) else 0
@@ -54,7 +54,7 @@ def _find_degree(left: sp.Expr, right: sp.Expr, letter: sp.Symbol) -> int | None
 def _find_order(
     difference: sp.Expr, letter: sp.Symbol, degree: int, domain: Domain
 ) -> Iterator[tuple[int, sp.Expr]]:
-    """Yield the power with which a difference begins and its factor, if that is shown."""
+    """Yield the order and the factor of the first term of a difference, if they are shown."""
     is_one_sided = domain.set_of(letter).is_subset(sp.Interval(0, sp.oo))
     for order in range(degree + _FARTHEST + 1):
         limit = sp.Limit(difference / letter**order, letter, 0, "+" if is_one_sided else "+-")

@@ -1,7 +1,7 @@
-"""Rung: what falls from each whole number n to the next is no less than its limit.
+"""Rung: a quantity that falls from each whole number n to the next is at least its limit.
 
-So a sum of positive terms is less than the one without end, and 2 - 1/(n + 1) is more than the sum
-of 1/k**2, of which no step from n to n + 1 tells: there the difference falls.
+So a sum of positive terms is less than the infinite sum, and 2 - 1/(n + 1) exceeds the sum of
+1/k**2. Induction from n to n + 1 cannot show this, since the difference of the sides falls.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from mechproof.record.parts import has_parts
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "descent to a limit"
-# Work limit: operations of a number.
+# Work limit: operations in a quantity.
 _LARGEST = 60
-# Names the rung that shows the sign of a slack on a domain.
+# Returns the name of the rung that shows the sign of a slack on a domain, or None.
 Show = Callable[[Slack, Domain], str | None]
 
 
 def holds_by_descent(slack: Slack, domain: Domain, show: Show) -> bool:
-    """Tell whether a number is shown to be positive, or not negative, for all of a count."""
+    """Return whether a slack is shown to be positive, or not negative, for all values of n."""
     value = domain.resolve(slack.value)
     if value.count_ops() > _LARGEST or has_parts(value, sp.Integral, sp.Piecewise):
         return False
@@ -55,7 +55,7 @@ def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
 
 
 def _is_endless(total: sp.Sum | sp.Product, n: sp.Symbol) -> bool:
-    """Tell whether a sum or product has only more of the same terms for a larger n."""
+    """Return whether a larger n only adds terms to a sum or product, the others unchanged."""
     _, lower, upper = total.limits[0]
     return is_plain(total, n) and not total.function.has(n) and lower.is_Integer and upper == n
 
@@ -63,7 +63,7 @@ def _is_endless(total: sp.Sum | sp.Product, n: sp.Symbol) -> bool:
 def _find_limit(
     value: sp.Expr, totals: list[sp.Expr], n: sp.Symbol, domain: Domain
 ) -> sp.Expr | None:
-    """Return the limit of a number to which sums and products add what no n multiplies."""
+    """Return the limit of a number linear in sums and products, with factors free of n."""
     names = {total: sp.Dummy("total", real=True) for total in totals}
     named = value.xreplace(names)
     rest = named.subs(dict.fromkeys(names.values(), 0))
@@ -85,7 +85,7 @@ def _find_limit(
 
 
 def _falls(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
-    """Tell whether what is for n + 1 is shown to be less, or no more, than what is for n."""
+    """Return whether the value for n + 1 is shown to be less, or no more, than that for n."""
     before, following, products = follow(slack.value, n)
     positive = sp.Interval.open(0, sp.oo)
     named = {name: sp.Dummy("product", positive=True) for name in products}

@@ -1,13 +1,14 @@
-"""Sums without end of fractions of the index, alone or times a wave, by partial fractions.
+"""Infinite sums of fractions of the index, alone or times a wave, by partial fractions.
 
-A sum over all whole numbers k of R(k)*cos(u*k + p), R a fraction and 0 <= u <= 2*pi, is minus the
-residues of R(z)*pi*cos((u - pi)*z + p)/sin(pi*z) at the poles of R, if none of these is a whole
-number (Whittaker, Watson, A Course of Modern Analysis, 1927, chapters 6 and 7). One from a first
-number on is half of it, less the terms between, if its terms are the same from the other end. The
-poles of others have to be rational: there the digamma function has values by a theorem of Gauss.
+The sum over all whole numbers k of R(k)*cos(u*k + p), R a fraction and 0 <= u <= 2*pi, is minus the
+sum of the residues of R(z)*pi*cos((u - pi)*z + p)/sin(pi*z) at the poles of R, if none of these is
+a whole number (Whittaker, Watson, A Course of Modern Analysis, 1927, chapters 6 and 7). If the
+terms are symmetric about a point, a sum from a first number onwards is half of that, corrected for
+the terms between this number and its mirror image. Other sums need rational poles: there Gauss's
+theorem gives the values of the digamma function.
 
-A product of such fractions is one of gamma functions of their zeros, chapter 12 there; of two zeros
-that mirror each other these are a sine.
+An infinite product of fractions is a product of gamma functions of their zeros and poles (chapter
+12 there); those of two zeros that mirror each other make up a sine.
 """
 
 from __future__ import annotations
@@ -23,14 +24,15 @@ from mechproof.proof.signs import find_sign, is_nonnegative, is_nonzero, is_posi
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "partial fractions"
-# Work limits: operations of a term, terms between its two ends, and parts of a turn.
+# Work limits: operations in a term, terms between the first index and its mirror image, and the
+# denominator in Gauss's theorem.
 _LARGEST = 40
 _MOST_BETWEEN = 8
 _FINEST = 24
 
 
 class _Root(NamedTuple):
-    """A zero of a polynomial: two real numbers, the second with an imaginary unit."""
+    """A zero of a polynomial, given by its real and imaginary parts."""
 
     real: sp.Expr
     imaginary: sp.Expr
@@ -41,7 +43,7 @@ class _Root(NamedTuple):
 
 
 class _Term(NamedTuple):
-    """A fraction of k, and the angle u*k + p of the cosine before it."""
+    """A term of a sum over k: a fraction of k, times the cosine of u*k + p."""
 
     fraction: sp.Expr
     k: sp.Symbol
@@ -50,7 +52,7 @@ class _Term(NamedTuple):
 
 
 def settle_fractions(expression: Any, domain: Domain) -> Any:
-    """Put the values of such sums in their places, as far as they are shown."""
+    """Replace infinite sums and products of fractions by their values where these are proved."""
     return put_values(expression, partial(_find_value, domain))
 
 
@@ -74,7 +76,7 @@ def _find_value(domain: Domain, total: sp.Sum | sp.Product) -> sp.Expr | None:
 
 
 def _read(term: sp.Expr, k: sp.Symbol) -> Iterator[_Term]:
-    """Yield a term as a fraction times a cosine, in which a sign that alternates is half a turn."""
+    """Yield a term as a fraction times a cosine, with (-1)**k written as a shift of u by pi."""
     waves = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.sin | sp.cos) and f.has(k)]
     if len(waves) > 1:
         return
@@ -92,7 +94,7 @@ def _read(term: sp.Expr, k: sp.Symbol) -> Iterator[_Term]:
 
 
 def _converges(term: _Term, domain: Domain) -> bool:
-    """Tell whether the angle is within a turn and the fraction small enough."""
+    """Return whether 0 <= u <= 2*pi is shown and the fraction falls fast enough with k."""
     above, below = map(partial(_write, term.k), sp.fraction(term.fraction))
     fall = below.degree() - above.degree()
     is_within = is_positive if fall == 1 else is_nonnegative
@@ -108,9 +110,10 @@ def _write(k: sp.Symbol, polynomial: sp.Expr) -> sp.Poly:
 def _list_roots(
     polynomial: sp.Expr, k: sp.Symbol, domain: Domain, *, are_apart: bool
 ) -> list[tuple[_Root, int]] | None:
-    """List the zeros of a polynomial, of two that are conjugate one, with how often each is one.
+    """List the zeros of a polynomial with their multiplicities, one of each conjugate pair.
 
-    None if not all of them are known; if `are_apart` the two of a square are shown to differ.
+    None if not all are found. If `are_apart`, the two zeros of a quadratic factor must be shown to
+    differ.
     """
     found: list[tuple[_Root, int]] = []
     for factor, count in sp.factor_list(polynomial)[1]:
@@ -134,7 +137,7 @@ def _solve(coefficients: list[sp.Expr], domain: Domain, are_apart: bool) -> list
     if sign is None or (are_apart and not is_nonzero(square, domain)):
         return None
     root = sp.powdenest(sp.sqrt(sign.direction * square), force=True)
-    # Of the two roots of a square either will do.
+    # Either square root will do, so moduli can be dropped.
     root = root.replace(sp.Abs, lambda number: number)
     if sp.expand(root**2 - sign.direction * square) != 0:
         return None
@@ -144,7 +147,7 @@ def _solve(coefficients: list[sp.Expr], domain: Domain, are_apart: bool) -> list
 
 
 def _is_apart(root: _Root, domain: Domain) -> bool:
-    """Tell whether a number is shown to be no whole number."""
+    """Return whether a zero is shown not to be a whole number."""
     number = sp.expand(root.real)
     if root.imaginary != 0:
         return is_nonzero(root.imaginary, domain)
@@ -179,7 +182,7 @@ def _sum_all(term: _Term, domain: Domain) -> sp.Expr | None:
 
 
 def _evaluate(factor: sp.Expr, root: _Root, step: sp.Expr, phase: sp.Expr) -> sp.Expr:
-    """Return factor*pi*cos(step*z + phase)/sin(pi*z), for z that is not real with its conjugate."""
+    """Return factor*pi*cos(step*z + phase)/sin(pi*z) at z, plus its conjugate if z is not real."""
     x, y = root
     angle = sp.expand(step * x + phase)
     if y == 0:
@@ -188,14 +191,14 @@ def _evaluate(factor: sp.Expr, root: _Root, step: sp.Expr, phase: sp.Expr) -> sp
     wave = sp.cos(angle) * sp.cosh(wide) - sp.I * sp.sin(angle) * sp.sinh(wide)
     below = [sp.sin(sp.pi * x) * sp.cosh(tall), sp.cos(sp.pi * x) * sp.sinh(tall)]
     one, other = sp.fraction(sp.together(factor))
-    # The conjugates of both denominators make them real.
+    # Multiplying by their conjugates makes both denominators real.
     turned = sp.expand(one * sp.conjugate(other) * wave * (below[0] - sp.I * below[1]))
     size = sp.expand(other * sp.conjugate(other)) * (below[0] ** 2 + below[1] ** 2)
     return sp.cancel(2 * sp.pi * turned.subs(sp.I, 0) / size)
 
 
 def _sum_half(term: _Term, first: sp.Integer, domain: Domain) -> sp.Expr | None:
-    """Return a sum whose terms are the same for k and for -shift - k."""
+    """Return a sum from `first` onwards whose terms are the same at k and at -shift - k."""
     below = sp.Poly(sp.denom(term.fraction), term.k).all_coeffs()
     if len(below) < 2:
         return None
@@ -216,7 +219,7 @@ def _sum_half(term: _Term, first: sp.Integer, domain: Domain) -> sp.Expr | None:
 
 
 def _sum_by_digamma(term: _Term, first: sp.Integer) -> sp.Expr | None:
-    """Return the sum of c/(k + r)**n, r rational, with signs that alternate or not."""
+    """Return a sum of terms c/(k + r)**n with rational r, whose signs may alternate."""
     is_turning = term.u == sp.pi
     if term.p != 0 or term.u not in (0, sp.pi):
         return None
@@ -244,7 +247,11 @@ def _sum_by_digamma(term: _Term, first: sp.Integer) -> sp.Expr | None:
 
 
 def _add_powers(start: sp.Rational, power: int, is_turning: bool) -> sp.Expr | None:
-    """Return the sum of 1/(j + start)**power, for the power 1 less one that is always the same."""
+    """Return the sum of 1/(j + start)**power over j >= 0, with alternating signs if `is_turning`.
+
+    For the power 1 without alternating signs it is the sum minus the harmonic series, which cancels
+    between the partial fractions.
+    """
     if power == 1 and 2 * start.q <= _FINEST:
         if is_turning:
             return (_find_digamma((start + 1) / 2) - _find_digamma(start / 2)) / 2
@@ -259,7 +266,7 @@ def _add_powers(start: sp.Rational, power: int, is_turning: bool) -> sp.Expr | N
 
 
 def _find_digamma(number: sp.Rational) -> sp.Expr:
-    """Return the digamma function of a positive number and Euler's constant, by Gauss's theorem."""
+    """Return the digamma function of a positive number plus Euler's constant (Gauss's theorem)."""
     whole = sp.ceiling(number) - 1
     part = number - whole
     sums = sp.Add(*(1 / (part + j) for j in range(whole)))
@@ -275,7 +282,7 @@ def _find_digamma(number: sp.Rational) -> sp.Expr:
 
 
 def _multiply(factor: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain) -> sp.Expr | None:
-    """Return the product of a fraction whose zeros and poles mirror each other."""
+    """Return the infinite product of a fraction with zeros and poles symmetric about one point."""
     parts = sp.fraction(sp.cancel(sp.together(factor)))
     if not all(part.is_polynomial(k) and part.has(k) for part in parts):
         return None
@@ -301,7 +308,7 @@ def _multiply(factor: sp.Expr, k: sp.Symbol, first: sp.Integer, domain: Domain) 
 def _multiply_sines(
     roots: list[tuple[_Root, int]], first: sp.Integer, shift: sp.Integer, domain: Domain
 ) -> sp.Expr | None:
-    """Return one over the product of gamma(first - r) for zeros r, taken two by two."""
+    """Return 1 over the product of gamma(first - r) for the zeros r, paired by reflection."""
     left = [root for root, count in roots for _ in range(count)]
     left += [_Root(x, -y) for x, y in left if y != 0]
     value = sp.S.One
@@ -317,7 +324,7 @@ def _multiply_sines(
 
 
 def _find_sine(root: _Root, first: sp.Integer, shift: sp.Integer, domain: Domain) -> sp.Expr | None:
-    """Return 1/(gamma(z)*gamma(m + 1 - z)), z = first - root: sin(pi*z)/pi, divided m times."""
+    """Return 1/(gamma(z)*gamma(m + 1 - z)), z = first - root: sin(pi*z)/pi, over m factors."""
     x, y, m = first - root.real, -root.imaginary, 2 * first + shift - 1
     if x.is_Integer and y == 0:
         is_met = 0 < x < m + 1

@@ -230,7 +230,7 @@ def holds_by_steps(slack: Slack, domain: Domain, show: Show) -> bool:
 
 
 def _shift_indices(value: sp.Expr, n: sp.Symbol) -> sp.Expr:
-    """Write terms of n + k, as 1/(n + k) from 1 to n, by an index that runs from n on."""
+    """Shift the index of sums of terms of n + k by n, so that only the limits contain n."""
     shifted = {}
     for total in value.atoms(sp.Sum, sp.Product):
         (k, lower, upper), *others = total.limits

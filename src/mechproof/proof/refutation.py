@@ -261,7 +261,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    # An index may count, too: for n = 2 the element of n + 1 is the third.
+    # An index may contain a count: for n = 2 the element with the index n + 1 is the third.
     has_counts = has_parts(expression, *_COUNTED, sp.Indexed)
     has_steps = has_parts(expression, *_STEPS)
     free = find_free(expression)

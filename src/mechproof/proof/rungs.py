@@ -71,21 +71,21 @@ RUNGS = {
     "each next one if for the one before: the difference of its sides is at least a positive "
     "multiple of what it was",
     "descent to a limit": "an inequality for whole numbers: the difference of its sides falls from "
-    "each to the next and is not negative in the limit",
+    "each number to the next, and its limit is not negative",
     "limit of partial sums": "a sum without end is the limit of its partial sums, whose value is "
     "proved by induction, or that of a geometric series",
     "known series": "a sum without end whose first term and quotients of terms are those of the "
     "series of an elementary function, where it converges, or of a value of zeta",
     "Fourier series": "a sum without end of sines or cosines of all or odd multiples of an angle, "
     "divided by a power of these, is that of a saw, a square wave or the like, within its period",
-    "partial fractions": "a sum or product without end of fractions of its index, alone or times a "
-    "wave, is minus the residues at their poles, or that of values of the digamma function",
+    "partial fractions": "an infinite sum or product of fractions of its index, alone or times a "
+    "wave, is found from the residues at their poles, or from the digamma or gamma function",
     "Wilf-Zeilberger pair": "the terms of a sum change from n to n + 1 by differences that "
     "telescope, which is checked as an identity of fractions",
     "angles that rise by the same step": "each term of a sum of sines and cosines is a difference "
     "by sines of half the step, so all but the ends cancel",
-    "binomial sum of waves": "sines or cosines times binomial coefficients are a part of a power "
-    "of 1 + exp(i*x)",
+    "binomial sum of waves": "a sum of sines or cosines times binomial coefficients is the real "
+    "or imaginary part of a power of 1 + exp(i*x), turned by an angle",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "values of any functions": "of functions that are named nothing is known but that they are "

@@ -1,9 +1,9 @@
 """Forms of a number that have its sign, in which the sign is easier to see.
 
-A quotient is multiplied by what is below it, and divided by what stands before its logarithms or
-its arcs. Of two terms with opposite signs the logarithms are compared. With whole numbers it is
-one of real numbers, and two positive variables are one of them and their ratio: where the number is
-homogeneous, the ratio is left.
+A quotient is multiplied by its denominator, and divided by the common factor of its logarithms or
+arc functions. Of two terms with opposite signs, the logarithms are compared. Whole numbers are
+replaced by real ones, and two positive variables by one of them and their ratio: if the number is
+homogeneous, only the ratio is left.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
     return kept
 
 
-# The slopes of these are algebraic.
+# Functions whose derivatives are algebraic.
 _ARCS = (sp.atan, sp.asin, sp.acos, sp.asinh, sp.acosh, sp.atanh)
 
 

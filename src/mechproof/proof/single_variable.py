@@ -1,9 +1,9 @@
 """Rung: a transcendental inequality in one variable on a finite interval, by bisection.
 
-For a variable that stands both inside a sine (exponential, ...) and outside it, or deeper inside. A
-strict sign is proved by balls over subintervals. Where the function vanishes at an end of one, the
-sign follows from that of its derivative. It is Moore's bisection (1966), with the derivative where
-no box is small enough.
+The variable appears both inside a sine (exponential, ...) and outside it, or in nested functions. A
+strict sign is proved by balls over subintervals. Where the function vanishes at an end of one, its
+sign follows from that of its derivative. This is Moore's bisection (1966), with the derivative
+where no box is small enough.
 
 Bounds near zero, |f(x)| <= b*|x|**n for |x| <= r, are proved by the Taylor coefficients of f at 0.
 Those below n vanish, being rational numbers; the sum of the others and of Lagrange's remainder,
@@ -89,7 +89,7 @@ def _is_mixed(expression: sp.Expr) -> bool:
 
 
 def _holds(f: sp.Expr, ends: Ends, strict: bool, closed: Sequence[sp.Expr]) -> bool:
-    """Tell whether f is positive, or not negative, between two ends and at those that are given."""
+    """Return whether f is positive, or not negative, between two ends and at the closed ones."""
     if strict and not all(_enclose(f, (end, end)) > 0 for end in closed):
         return False
     low, high = ends
@@ -100,7 +100,7 @@ def _holds(f: sp.Expr, ends: Ends, strict: bool, closed: Sequence[sp.Expr]) -> b
 
 
 def _is_above(f: sp.Expr, ends: Ends, strict: bool, orders: int, halvings: int) -> bool:
-    """Tell whether f is positive between two ends, or is zero in single places if it may be."""
+    """Return whether f is positive between two ends, or zero at single points if not strict."""
     if _enclose(f, ends) > 0:
         return True
     if any(_enclose(f, (end, end)) < 0 for end in ends):
@@ -116,7 +116,7 @@ def _is_above(f: sp.Expr, ends: Ends, strict: bool, orders: int, halvings: int) 
 
 
 def _is_above_by_slope(f: sp.Expr, ends: Ends, orders: int, halvings: int) -> bool:
-    """Tell whether f is not negative at an end, and grows from there."""
+    """Return whether f is not negative at one end and grows from there to the other."""
     turns = zip(ends, (1, -1), strict=True)
     rising = [t for end, t in turns if _vanishes(f, end) or _enclose(f, (end, end)) > 0]
     if not f.free_symbols or not rising or not _is_finite(f, ends, halvings):

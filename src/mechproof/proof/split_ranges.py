@@ -1,4 +1,4 @@
-"""Statements on parts of a range: beside a number that a letter is not, and within a period."""
+"""Statements on parts of a range: on both sides of an excluded number, and within a period."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from mechproof.proof.cases import narrow
 from mechproof.record.parts import TURNING, find_free
 from mechproof.statement_domains.domain import Domain
 
-# Names the rung that proves a relation on a domain.
+# Returns the name of the rung that proves a relation on a domain, or None.
 Prove = Callable[[sp.Basic, Domain], str | None]
 
 
 def prove_on_parts(relation: sp.Basic, domain: Domain, prove: Prove) -> str | None:
-    """Prove a relation below and above a number that is left out, or within a period."""
+    """Prove a relation below and above an excluded number, or within a period; name the rung."""
     parts = _split_at_hole(relation, domain) or _list_period(relation, domain)
     rungs = [prove(relation, part) for part in parts]
     return None if None in rungs else next(iter(rungs), None)
@@ -32,7 +32,10 @@ def _split_at_hole(relation: sp.Basic, domain: Domain) -> list[Domain]:
 
 
 def _list_period(relation: sp.Basic, domain: Domain) -> list[Domain]:
-    """Return numbers from zero to beyond the period of the only letter, which may be any number."""
+    """Return the domain on which the only letter runs from 0 to its period, rounded up.
+
+    The list is empty if `list_periods` finds none.
+    """
     return [
         part.with_set(x, sp.Interval(0, sp.ceiling(part.set_of(x).end)))
         for part in list_periods(relation.args, domain)[:1]
@@ -41,7 +44,10 @@ def _list_period(relation: sp.Basic, domain: Domain) -> list[Domain]:
 
 
 def list_periods(sides: Sequence[sp.Expr], domain: Domain) -> list[Domain]:
-    """List periods, from zero and about it, of the only letter, if it may be any number."""
+    """List the domains on which the only letter runs over a period, from 0 and about 0.
+
+    The list is empty unless the letter may be any real number and no condition contains it.
+    """
     letters = {letter for side in sides for letter in find_free(side)}
     coupled = {letter for said in domain.where for letter in find_free(said)}
     if len(letters) != 1 or letters & coupled:
@@ -55,7 +61,7 @@ def list_periods(sides: Sequence[sp.Expr], domain: Domain) -> list[Domain]:
 
 
 def _find_period(sides: Sequence[sp.Expr], x: sp.Symbol) -> sp.Expr | None:
-    """Return a number by which a letter may grow without a change, None if none is found."""
+    """Return a number by which x may grow without changing the sides, None if none is found."""
     slopes = (sp.diff(w.args[0], x).as_coeff_Mul() for side in sides for w in side.atoms(*TURNING))
     steps = {abs(step) for step, rest in slopes if step != 0 and rest.is_integer}
     for step in sorted(steps):

@@ -1,8 +1,8 @@
 """Rungs: sums of sines and cosines whose angles rise by equal steps, 2*pi/n for n planets.
 
 With d the step, the sum of cos(c + k*d) from p to q is sin(c + (q + 1/2)*d) - sin(c + (p - 1/2)*d)
-divided by 2*sin(d/2), as each term is such a difference; where d/2 is no multiple of pi. A product
-of n sines with the step pi/n is that of n times the first angle, divided by 2**(n - 1). With
+divided by 2*sin(d/2), as each term is such a difference, if d/2 is no multiple of pi. A product of
+n sines with the step pi/n is the sine of n times the first angle, divided by 2**(n - 1). With
 binomial coefficients the sum of cos(c + k*d) from 0 to n is (2*cos(d/2))**n*cos(c + n*d/2), the
 real part of exp(i*c)*(1 + exp(i*d))**n.
 

@@ -171,7 +171,7 @@ class NotCheckable:
 
 @dataclass(frozen=True)
 class Nearly:
-    """Two sides are said to be nearly equal: how nearly is not, so that nothing decides it."""
+    """Two sides are said to be nearly equal, but not how nearly, so nothing decides it."""
 
     left: sp.Basic
     right: sp.Basic

@@ -107,25 +107,25 @@ class Scope:
 
 @dataclass(frozen=True)
 class Notation:
-    r"""How a paper prints what is not a symbol, as far as a reader has to be told.
+    r"""How a paper prints anything but symbols, as far as a reader must be told.
 
     `factors` are names that multiply a bracket after them (`a(1-e^2)`). `functions` adds to or
     replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
-    integral printed without limits starts. `branch` is a letter that is 1 or -1: of a double sign
-    on one side only it says whether the upper one is meant. `indices` are the symbols of index
-    letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
-    are letters that depend on another: that one, and the symbols of their derivatives by it, the
-    first one first; a prime behind a bracket is a derivative by `primed`. `name_unit` returns the
-    unit that is printed so, nothing for what is none: units are read behind numbers then.
-    `weigh_unit` returns what such a unit is beside letters, in symbols of the units that it is
-    made of, nothing where it cannot stand there; `units` are those of letters. `phases` are pairs
-    of letters, or one and pi, that stand side by side in an angle: a function without brackets
-    takes both, `\cos\omega t`. `dimensions` are those of letters with a unit: they tell the
-    brackets that multiply one from those that hold an argument. `called` are letters that are
-    functions of one: what stands in a bracket behind them is put for that, as it is for
-    `bracketed` letters of `moving` and matrices, which never stand without a bracket. `parameters`
-    are the letters by which derivatives go that are printed by one that these give, dy/dx of x(t)
-    and y(t). `imaginary` is the letter of the imaginary unit; e is Euler's number beside it.
+    integral printed without limits starts. `branch` is a letter that is 1 or -1: if only one side
+    has a double sign, it says whether the upper sign is meant. `indices` are the symbols of index
+    letters (default: an integer symbol of that name). `scopes` are letters used twice. `moving`
+    maps letters that depend on another one to that letter and the symbols of their derivatives by
+    it, in rising order; a prime after a bracket is a derivative by `primed`. `name_unit` returns
+    the unit with a printed name, nothing for anything else: if given, units are read after numbers.
+    `weigh_unit` returns the factor that such a unit is next to letters, in symbols of its base
+    units, nothing if it cannot appear there; `units` are those of letters. `phases` are pairs of
+    letters, or of a letter and pi, that are adjacent in an angle: a function without brackets takes
+    both, `\cos\omega t`. `dimensions` are those of letters with a unit: they distinguish brackets
+    that multiply a letter from those that contain an argument. `called` are letters that are
+    functions of another one: the content of a bracket after them replaces that one, as it does
+    after the `bracketed` letters of `moving` and matrices, which never appear without a bracket.
+    `parameters` are the letters on which both letters of a derivative depend: t for dy/dx of x(t)
+    and y(t). `imaginary` is the letter of the imaginary unit; e is then Euler's number.
     """
 
     factors: tuple[str, ...] = ()

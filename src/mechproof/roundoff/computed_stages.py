@@ -57,8 +57,8 @@ from mechproof.roundoff.written_scales import WrittenScale, write_scale
 # Functions that compiled kernels implement themselves, without a proved error.
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
-# Over more steps than this, those of the scale among them, intervals get so wide that it takes many
-# more boxes to bound them than linear forms, of which each takes twice as long.
+# Over more steps than this, including those of the scale, intervals get so wide that they need many
+# more boxes than linear forms do, although each box takes twice as long with these.
 LONG = 120
 # The constants as doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
@@ -194,7 +194,7 @@ class ComputedStage:
 
     @cached_property
     def has_forms(self) -> bool:
-        """Say whether it is bounded by linear forms: a map, whose signs are kept, or many steps."""
+        """Return whether linear forms bound it: a map, whose signs are kept, or many steps."""
         scales = self.scale.straights if self.scale else ()
         count = sum(len(straight.steps) for straight in (self.straight, *scales))
         return self.map is not None or count > LONG

@@ -37,8 +37,8 @@ SOME = Interval(np.float64(0.0), np.float64(1.0))
 
 # Derivatives of an operation's value with respect to each operand; None for zero.
 Slopes = tuple[IntervalMonomial | None, ...]
-# The value of an operation, and what finds its slopes, for which nobody asks where nothing is
-# rounded.
+# The value of an operation, and a function that returns its slopes, which is not called where
+# nothing is rounded.
 Moved = tuple[IntervalMonomial, Callable[[], Slopes]]
 # Takes the angle that is reduced by whole turns, then the operands.
 Rule = Callable[..., Moved]

@@ -266,7 +266,7 @@ def _drop_remarks(latex: LocatedText) -> LocatedText:
 def cut_remark(latex: LocatedText) -> tuple[LocatedText, str]:
     r"""Return an equation without the remark after it, \quad\text{(loop 1)}, and that remark.
 
-    Behind a number words may be its unit, unless they count something, (loop 1).
+    After a number, words may be its unit, unless they count something, (loop 1).
     """
     found = _BEHIND.search(latex.string)
     before = latex[: found.start()].strip(end=" .,;~") if found else latex

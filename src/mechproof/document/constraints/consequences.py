@@ -129,7 +129,7 @@ def _square(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict
 def _put_in_roots(
     task: Task, others: Sequence[Task], domain: Domain
 ) -> tuple[Verdict, str, str] | None:
-    """Judge whether a row follows where roots in it have the values that constraints give them."""
+    """Judge whether a row follows once its roots have the values that constraints give them."""
     given = {o.row.number: o.residual for o in others if o.residual is not None}
     rest, used = put_in_roots(sp.sympify(task.residual), given)
     if not used or not hold_together([*used.values()], domain, list_factors_below(rest)):
@@ -139,7 +139,7 @@ def _put_in_roots(
         if not found or found[0] is not Verdict.PROVED:
             return None
         used = {name: one for name, one in given.items() if name in used or name in found[2]}
-    said = f"follows from {', '.join(used)}, taken as given, by which roots in it are numbers"
+    said = f"follows from {', '.join(used)}, taken as given: roots in it are numbers there"
     return Verdict.PROVED, COMBINATION, said
 
 

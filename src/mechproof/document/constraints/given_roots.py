@@ -1,4 +1,4 @@
-"""Roots whose values constraints give, as the length of a unit vector."""
+"""Roots whose values follow from constraints, such as the length of a unit vector."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from mechproof.record.parts import find_roots
 def put_in_roots(
     residual: sp.Expr, given: Mapping[str, sp.Expr]
 ) -> tuple[sp.Expr, dict[str, sp.Expr]]:
-    """Return a residual with the numbers that constraints give for roots in it, and these used.
+    """Replace roots in a residual by the numbers that constraints give them.
 
-    The numbers hold wherever the constraints do.
+    Returns the residual and, by name, the constraints used; the numbers hold wherever these do.
     """
     values: dict[sp.Expr, sp.Expr] = {}
     used: dict[str, sp.Expr] = {}
@@ -30,13 +30,13 @@ def put_in_roots(
 
 
 def list_radicands(values: Iterable[sp.Expr]) -> list[sp.Expr]:
-    """Return what stands in roots and has letters, each once."""
+    """Return the distinct radicands that contain letters."""
     found = {root.base for value in values for root in find_roots(value)}
     return sorted((base for base in found if base.free_symbols), key=sp.default_sort_key)
 
 
 def _find_number(base: sp.Expr, constraint: sp.Expr) -> sp.Expr | None:
-    """Return the number that an expression is where a constraint holds, None where it is none."""
+    """Return the number that an expression equals where a constraint holds, None if not seen."""
     root, name = sp.sqrt(base), sp.Dummy()
     if constraint.has(root):
         slope = sp.diff(constraint.xreplace({root: name}), name)

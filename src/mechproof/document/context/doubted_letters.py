@@ -184,7 +184,7 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
 
 
 def doubt_by_lengths(at: Judging) -> Changes:
-    """Accuse no row that holds where a sum of squares is 1: words may tell a length."""
+    """Accuse no row that holds where a sum of squares is 1: words may say so of a length."""
     refuted = Verdict.REFUTED.value
     asked = [(n,) for n, row in at.rows.items() if row.outcome == refuted or row.reason == EITHER]
     for (n,), said in at.ask(_describe_length, asked):
@@ -193,7 +193,7 @@ def doubt_by_lengths(at: Judging) -> Changes:
 
 
 def _describe_length(tasks: Sequence[Task], number: int) -> str:
-    """Say that a row holds where a vector of its letters has the length 1, nothing if not."""
+    """Say that a row holds if a vector of its letters has length 1; return "" if it does not."""
     task = tasks[number]
     entries = [one for one in list_all_entries(task, ()) if one.residual != 0]
     for base in list_radicands(sp.sympify(one.residual) for one in entries):
@@ -201,7 +201,7 @@ def _describe_length(tasks: Sequence[Task], number: int) -> str:
         found = (find_consequence(one, [unit]) for one in entries)
         if all(one and one[0] is Verdict.PROVED for one in found):
             said = f"{sp.latex(base)}=1"
-            return f"it holds where {said}; if that is meant, print it as an equation before"
+            return f"it holds where {said}; if that is meant, print that equation first"
     return ""
 
 

@@ -55,7 +55,7 @@ def judge_beside(
         if task.residual is None:
             entries = list_all_entries(task, letters)
         found = _find_consequence_of_entries(entries, given) if given else None
-        # What words say of a case accuses nothing.
+        # The case that words mention may prove a row, but refutes none.
         is_told = found and (task is not own.case or found[0] is Verdict.PROVED)
         answer = _replace(task, *found) if found and is_told else answer
         if answer and answer.verdict is Verdict.PROVED:

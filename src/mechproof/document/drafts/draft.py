@@ -131,7 +131,7 @@ def _write_unit_matrices(
             for m in re.finditer(rf"(?<![\w{{\\]){re.escape(letter)}(?![\w{{])", x)
         ]
         if places and all(map(_is_summand, places)):
-            yield "# It is only added: the unit matrix."
+            yield "# It is only added, so taken to be the unit matrix."
             yield f"let {letter}={write_unit(rows)}"
 
 
@@ -187,7 +187,7 @@ def _find_inline(
         kind = name_symbol(one.letter), one.number is None
         value = (one.number.value, one.unit) if one.number else one.value
         found.setdefault(kind, {}).setdefault(value, one)
-    # What is said of one case does not compete with what holds throughout, nor a zero.
+    # A formula or zero for one case does not compete with a value that holds throughout.
     single = (
         (name, [x for x in ones.values() if not _is_of_case(x)] or [*ones.values()])
         for (name, _), ones in found.items()

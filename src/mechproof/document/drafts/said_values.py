@@ -38,7 +38,7 @@ _RELATION = re.compile(
     r"|\$[^$]*\$"
 )
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
-# A condition in a sentence that says that it holds: since $|\psi|<\pi/2$.
+# A condition that a sentence says to hold: since $|\psi|<\pi/2$.
 _CONDITION = re.compile(
     r"\b(?:[Ss]ince|[Bb]ecause|as|[Ww]here|[Ww]ith)\s+"
     r"\$(?P<says>[^$=]+(?:[<>]|\\l[et]q?(?![a-z])|\\g[et]q?(?![a-z]))[^$=]+)\$"
@@ -172,7 +172,7 @@ def propose_relations(
 def propose_conditions(
     source: Source, letters: Sequence[str], displays: Sequence[Printed]
 ) -> Iterator[str]:
-    """Yield conditions of which sentences say that they hold; in an example as questions."""
+    """Yield conditions that sentences say to hold; those in an example as questions."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _CONDITION.finditer(text):
         if _has_letter(match["says"], "", letters):
@@ -237,9 +237,9 @@ def ask_extremes(displays: Sequence[Printed], running: Mapping[str, str]) -> Ite
 
 
 def ask_givens(displays: Sequence[Printed], inline: Sequence[tuple[str, Inline]]) -> Iterator[str]:
-    r"""Yield chains whose members have no letter in common, as i=n_1/n_2=z_2/z_1 has.
+    r"""Yield questions about chains whose members share no letter, i=n_1/n_2=z_2/z_1.
 
-    No letter of these is given elsewhere, so that nothing printed makes them equal.
+    No equation gives any of their letters, so nothing printed makes the members equal.
     """
     prints = [one.latex.string for one in displays]
     given = {name for name, _ in inline}
@@ -249,7 +249,7 @@ def ask_givens(displays: Sequence[Printed], inline: Sequence[tuple[str, Inline]]
         found = [{*map(name_symbol, collect_letters([x], guess=True).letters)} for x in members]
         pairs = ((one, other) for one, other in pairwise(found) if one and other)
         if any(not one & other and not (one | other) & given for one, other in pairs):
-            yield f"# {display.name}: its members have other letters. Is that given, not derived?"
+            yield f"# {display.name}: its members share no letter. Is it given, not derived?"
             yield f"# constraint {display.name.partition(',')[0]}"
 
 
@@ -275,7 +275,7 @@ def ask_places(
 
 
 def ask_functions(letters: Sequence[str], running: Mapping[str, str]) -> Iterator[str]:
-    """Yield questions for letters of which a value at a place is printed."""
+    """Yield questions about letters whose value at a place is printed."""
     known = {name_symbol(letter) for letter, by in running.items() if by}
     for name in letters:
         if name_symbol(_MARKS.sub("", name)) not in known:

@@ -32,7 +32,7 @@ from mechproof.statement_domains.dimension_inference import DimensionError, infe
 
 # The word after a formula, which may be its unit.
 _NEXT = re.compile(r"(?:\s|~|\\[,; ])*([^\s,;.]+)")
-# A second value behind a formula: "at $\varphi=0$ and $\pi$".
+# A second value after a formula: "at $\varphi=0$ and $\pi$".
 _SECOND = re.compile(
     r",?\s*(?:and|or)\s+\$(?P<value>(?:[-+\d\s.,/{}^]|\\(?:pi|circ|ang|[dt]?frac)(?![a-z]))+)\$"
 )
@@ -304,7 +304,7 @@ class RestatedSizes:
     def list_zeros(self, before: Printed | None, printed: Printed) -> set[sp.Basic]:
         r"""Return the letters that are said to be zero, and nothing else, between two equations.
 
-        "At $\varphi=0$ and $\varphi=\pi$" tells of two values.
+        "At $\varphi=0$ and $\varphi=\pi$" names two values.
         """
         first, last = self._find_place(before) if before else -1, self._find_place(printed)
         said = {(letter, value) for letter, value, place in self.said if first < place < last}
