@@ -252,7 +252,7 @@ def test_inputs_of_another_quantity_are_not_known(record: Record, tmp_path: Path
     assert find_known(tmp_path, record.quantity, 1) == ()
     write_record(record, tmp_path)
     assert find_known(tmp_path, record.quantity, 1) == tuple(f.at for f in record.searched)
-    with pytest.raises(ValueError, match="inputs of 1 arguments"):
+    with pytest.raises(ValueError, match="its inputs have 1 arguments"):
         find_known(tmp_path, record.quantity, 2)
 
 

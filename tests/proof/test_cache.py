@@ -237,7 +237,7 @@ def test_a_row_with_the_number_of_one_on_derivatives_is_refused(
     judged: Callable[..., list[str]], end: str
 ) -> None:
     number = f"derivatives of kernel area{end}"
-    with pytest.raises(DerivationError, match=rf"given twice .*: rows \['{number}'\]"):
+    with pytest.raises(DerivationError, match=rf"rows given twice .*: \['{number}'\]"):
         judged(ROWS[0].replace("(1)", number), words="kernel=x**2*sin(y)")
 
 

@@ -80,7 +80,7 @@ def test_a_binomial_over_a_number_is_a_polynomial(binomial: str, value: str) -> 
             r"\begin{pmatrix}a&1\\0&a\end{pmatrix}^n="
             r"\begin{pmatrix}a^n&na^{n-1}\\0&a^n\end{pmatrix}",
             (r"n\ge0",),
-            "For the first number 1/a must have a value.",
+            "For the first number, 1/a must have a value.",
         ),
     ],
 )

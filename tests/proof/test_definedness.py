@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from twins import ACCEPTED, judge
 
-from mechproof.proof.definedness import list_unshown, list_unshown_inside, need_the_same, tell
+from mechproof.proof.definedness import describe, list_unshown, list_unshown_inside, need_the_same
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper, Variable
 from mechproof.statement_domains.domain import Domain
@@ -23,7 +23,10 @@ def list_needs(sides: tuple[sp.Expr, sp.Expr]) -> list[list[tuple[sp.Expr, bool]
 
 def test_what_is_shown_is_not_listed() -> None:
     assert list_unshown(sp.sqrt(x**2 + 1) + sp.log(2 + sp.cos(x)), DOMAIN) == []
-    assert [tell(n) for n in list_unshown(sp.sqrt(x) / sp.log(y), DOMAIN)] == ["x >= 0", "y > 0"]
+    assert [describe(n) for n in list_unshown(sp.sqrt(x) / sp.log(y), DOMAIN)] == [
+        "x >= 0",
+        "y > 0",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -122,7 +125,7 @@ def test_what_is_needed_up_to_infinity_is_shown() -> None:
 def test_what_is_not_shown_is_told_with_where_it_runs() -> None:
     inner = sp.Sum(sp.Integral(sp.sqrt(y - k), (y, 0, k)), (k, 1, 4))
     (told,) = list_unshown_inside(inner, DOMAIN)
-    assert told.tell() == "-k + y >= 0 for y from 0 to k and k from 1 to 4"
+    assert told.describe() == "-k + y >= 0 for y from 0 to k and k from 1 to 4"
 
 
 @pytest.mark.parametrize("place", ["x", "x+2", r"x-\frac34", "x-y", "x-y^2"])

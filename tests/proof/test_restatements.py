@@ -123,10 +123,10 @@ def test_of_words_a_reading_still_says_something(name: str) -> None:
 
 READ = {
     "r=r": "keeps no member",
-    "x=x": "says of x what it is",
-    r"x=\sqrt{x^2}": "says of x what it is",
+    "x=x": "only says that x is",
+    r"x=\sqrt{x^2}": "only says that x is",
     "3r=3r": "keeps no member",
-    "2r=2r": "says of 2[*]r what it is",
+    "2r=2r": "only says that 2[*]r is",
 }
 
 

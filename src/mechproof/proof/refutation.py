@@ -48,7 +48,8 @@ _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
 # Longest relation, in characters, that is quoted in full.
 _LONGEST_RELATION = 120
 # Expressions that are written out for each value of their counts.
-_COUNTED = (sp.Sum, sp.Product, NthDerivative)
+# An index may contain a count: for n = 2 the element with the index n + 1 is the third.
+_COUNTED = (sp.Sum, sp.Product, NthDerivative, sp.Indexed)
 _STEPS = (sp.floor, sp.ceiling, sp.Mod)
 # Balls wider than this do not show how close two sides are.
 _NARROW = arb(2) ** -32
@@ -213,7 +214,7 @@ def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
 
     Return nothing if counts set numbers of terms or elements.
     """
-    if any(has_parts(e, *_COUNTED, sp.Indexed) for e in expressions):
+    if any(has_parts(e, *_COUNTED) for e in expressions):
         return []
     named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
     sizes = [*_NEAR, *(f * c for c in (*sorted(named), *_FAR) for f in (1, 2))]
@@ -261,8 +262,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    # An index may contain a count: for n = 2 the element with the index n + 1 is the third.
-    has_counts = has_parts(expression, *_COUNTED, sp.Indexed)
+    has_counts = has_parts(expression, *_COUNTED)
     has_steps = has_parts(expression, *_STEPS)
     free = find_free(expression)
     exact = {
