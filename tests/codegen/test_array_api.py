@@ -30,7 +30,7 @@ from mechproof.record import Paper
 pytestmark = pytest.mark.xdist_group("codegen/test_formula_languages.py")
 
 RESTS, SUM_RESTS = "quotient_rest, product_rest, small_tangent", "sum_rest, product_rest"
-AXES = "no axes of any length"
+AXES = "axes of arbitrary length"
 # Why a quantity has no such formula, and which of its forms are offered instead.
 REFUSED = {
     "elliptic_planetary.acceleration": (RESTS, "acceleration_direct acceleration_half_angle"),

@@ -145,6 +145,7 @@ def test_no_other_number_is_raised_to_a_matrix(base: str) -> None:
         judge(rf"{base}^{{{GENERATOR}t}}={ROTATION}")
 
 
+@pytest.mark.slow
 def test_rodrigues_follows_from_the_length_of_the_axis() -> None:
     rows = judge_rows(AXIS, UNIT, DEFINED, RODRIGUES)
     assert rows[-1][0] == "PROVED"
@@ -152,6 +153,7 @@ def test_rodrigues_follows_from_the_length_of_the_axis() -> None:
     assert judge_rows(AXIS, UNIT, DEFINED, MISPRINT)[-1][0] != "PROVED"
 
 
+@pytest.mark.slow
 def test_a_length_that_is_said_in_words_only_is_asked_for() -> None:
     outcome, reason = judge_rows(AXIS, DEFINED, RODRIGUES)[-1]
     assert outcome == "not judged"
@@ -159,6 +161,7 @@ def test_a_length_that_is_said_in_words_only_is_asked_for() -> None:
     assert judge_rows(AXIS, DEFINED, MISPRINT)[-1][0] == "REFUTED"
 
 
+@pytest.mark.slow
 def test_a_matrix_without_entries_has_no_exponential() -> None:
     outcome, reason = judge_rows(r"e^{C\theta}=\begin{pmatrix}1&0&0\\0&1&0\\0&0&1\end{pmatrix}")[0]
     assert outcome == "not read"

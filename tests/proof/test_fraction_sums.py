@@ -100,6 +100,7 @@ def judge(latex: str, where: tuple[str, ...]) -> set[Verdict]:
     return {found.verdict for found in judge_pasted(Pasted(latex, where=where)).judgements}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "true", "false", "where"), PAIRS)
 def test_a_value_is_proved_and_a_wrong_one_refuted(
     latex: str, true: str, false: str, where: tuple[str, ...]
@@ -108,6 +109,7 @@ def test_a_value_is_proved_and_a_wrong_one_refuted(
     assert judge(latex % false, where) == {Verdict.REFUTED}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("latex", "where"), NOT_PROVED)
 def test_where_there_is_no_such_value_nothing_is_proved(latex: str, where: tuple[str, ...]) -> None:
     assert Verdict.PROVED not in judge(latex, where)

@@ -58,8 +58,9 @@ from mechproof.roundoff.written_scales import WrittenScale, write_scale
 UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
 # Over more steps than this, including those of the scale, intervals get so wide that they need many
-# more boxes than linear forms do, although each box takes twice as long with these.
-LONG = 120
+# more boxes than linear forms do, although each box takes twice as long with these. Over fewer,
+# forms may even bound a part of a box less closely than the box.
+LONG = 150
 # The constants as doubles, as kernels compare with them.
 NUMBERS = MappingProxyType({name: IN_DOUBLES[CONSTANT](name) for name in CONSTANTS})
 

@@ -79,7 +79,8 @@ def bound_stretch(moved: MovedMatrix) -> Array:
     corners = list_corners()
     pairs = np.einsum("ai,bj->ijab", corners, corners).reshape(corners.shape[1] ** 2, -1)
     roundings, parts = moved.moves.shape[:2]
-    moves = np.moveaxis(moved.moves.reshape(roundings, parts, len(pairs), -1), -1, 0)
+    boxes = math.prod(moved.rest.shape[2:])
+    moves = np.moveaxis(moved.moves.reshape(roundings, parts, len(pairs), boxes), -1, 0)
     rests = moved.rest.reshape(len(pairs), -1).T
     # Box by box, so that the products with all pairs stay in the processor's cache.
     found = [_find_largest(*box, pairs) for box in zip(moves, rests, strict=True)]
