@@ -218,13 +218,14 @@ CASES = {
         [r"k=mu=n\cos\alpha", r"k=n\frac{\cos^2\alpha}{\cos\alpha}", r"k=n\sin\alpha", r"k=2mu"],
         ["DEFINITION", "not judged", "PROVED", "not judged", "REFUTED"],
     ),
-    "derivatives are compared with that of each member": (
+    # The first member of the chain depends on time only if k or l does, which is asked for.
+    "derivatives of a chain with a member whose letters may move are left open": (
         [
             r"x=lk=r\cos\varphi",
             r"\dot x=-r\dot\varphi\sin\varphi",
             r"\dot x=r\dot\varphi\sin\varphi",
         ],
-        ["DEFINITION", "not judged", "PROVED", "not judged"],
+        ["DEFINITION", "not judged", "not judged", "not judged"],
     ),
     "a member that differs from the others does not stand": (
         [r"k=\cos2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1", r"k=2\cos^2\alpha+1"],

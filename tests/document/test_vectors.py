@@ -288,7 +288,7 @@ CASES = {
             r"\vec a=\vec b",
             r"\vec a=-\vec b",
         ],
-        ["DEFINITION"] * 4 + ["not judged", "REFUTED"],
+        ["DEFINITION"] * 4 + ["PROVED", "REFUTED"],
     ),
 }
 
