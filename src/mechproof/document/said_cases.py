@@ -22,7 +22,7 @@ from mechproof.sources.paper_files import Source
 _CASE = re.compile(
     r"(?<!solved )(?<!solve )\b(?:for|if|when|in the case)\b[^.;:]*\Z", re.IGNORECASE
 )
-_BEHIND = re.compile(r"[\s.,;]*(?:if|for|when|provided(?:\s+that)?)\s+\Z")
+_AFTER = re.compile(r"[\s.,;]*(?:if|for|when|provided(?:\s+that)?)\s+\Z")
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,9 @@ class SaidCases:
         place = self.order[one.offset]
         span = next((x for x in reversed(self.displays) if x[1] <= place), None)
         words = self.text[span[1] if span else 0 : place]
-        is_behind = bool(span and _BEHIND.fullmatch(words))
+        is_after = bool(span and _AFTER.fullmatch(words))
         is_angle = one.number is not None and one.unit in ("", "rad", "deg")
-        if not (is_behind or _CASE.search(words)) or not (one.number is None or is_angle):
+        if not (is_after or _CASE.search(words)) or not (one.number is None or is_angle):
             return
         try:
             (relation,) = read_relations(f"{one.letter}={one.value}", self.known.symbols.reader())
@@ -62,7 +62,7 @@ class SaidCases:
             return
         is_value = isinstance(letter, sp.Symbol) and isinstance(value, sp.Expr)
         if is_value and letter not in {*self.known.values, *value.free_symbols}:
-            yield SaidCase(letter, value, place, span if is_behind else None)
+            yield SaidCase(letter, value, place, span if is_after else None)
 
     def list_at(self, printed: Printed, signs: Sequence[Sign]) -> Values:
         """Return the values that words around an equation give letters, if unique for the letter.
@@ -80,8 +80,8 @@ class SaidCases:
         said: dict[sp.Basic, set[sp.Expr]] = {}
         for one in self.found:
             is_before = one.display is None and first < one.place < place and one.value != 0
-            is_behind = one.display is not None and one.display[0] <= place < one.display[1]
-            if is_before or is_behind:
+            is_after = one.display is not None and one.display[0] <= place < one.display[1]
+            if is_before or is_after:
                 said.setdefault(one.letter, set()).add(one.value)
         values = {s: next(iter(ones)) for s, ones in said.items() if len(ones) == 1}
         return {s: v for s, v in values.items() if v.free_symbols or s not in met}
