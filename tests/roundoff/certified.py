@@ -12,7 +12,8 @@ import mechproof.kernels
 from mechproof.programs.kernel import list_functions
 from mechproof.roundoff.certificate import Certificate, RoundingClaim
 from mechproof.roundoff.certificate_files import FOLDER, find_certificate
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.kernel_stages import list_computed_stages
 
 GENERATED = Path(next(iter(mechproof.kernels.__path__)))
 # For tests that need all subjects: one worker lowers them once.

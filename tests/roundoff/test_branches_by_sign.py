@@ -13,8 +13,9 @@ from derived import paper_of
 from mechproof.arithmetic.intervals import Interval
 from mechproof.programs.kernel import list_functions
 from mechproof.roundoff.branches import Branch, list_branches
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram
 

@@ -21,13 +21,14 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import EPS
 from mechproof.measured import KERNELS
 from mechproof.programs.kernel import input_names, list_functions
-from mechproof.roundoff import computed_stages as subject_module
+from mechproof.roundoff import kernel_stages
 from mechproof.roundoff.certificate import RoundingClaim, holds
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY, list_expansions
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.elementary_errors import prove
 from mechproof.roundoff.error_tables import ErrorTable
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.roundoff.worst import draw
@@ -173,7 +174,7 @@ def test_a_claim_about_other_steps_or_functions_is_refused(
         lost = replace(steps, steps=steps.steps[:-1])
         assert not holds(replace(subject, **{field: lost}), claim)
     changed = change("cos", lambda step: replace(step, kind="add") if step.kind == "fma" else step)
-    monkeypatch.setattr(subject_module, "build", lambda *_: changed)
+    monkeypatch.setattr(kernel_stages, "build", lambda *_: changed)
     assert not holds(subject, claim)
 
 
@@ -190,7 +191,7 @@ def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) ->
             unreduced = None if error_table.unreduced is None else factor * error_table.unreduced
             return replace(error_table, highest=factor * error_table.highest, unreduced=unreduced)
 
-        monkeypatch.setattr(subject_module, "prove", scaled)
+        monkeypatch.setattr(kernel_stages, "prove", scaled)
         assert np.sign(subject.bound(region, boxes) - whole) == np.sign(factor - 1)
 
 
@@ -214,6 +215,6 @@ def test_a_function_of_another_library_is_refused(monkeypatch: pytest.MonkeyPatc
     paper = paper_of("tooth_thickness")
     (kernel,) = (k for k in list_functions(paper) if k.name == "thickness_change_linear")
     known = {kind: e for kind, e in list_expansions().items() if kind != "tan"}
-    monkeypatch.setattr(subject_module, "list_expansions", lambda: known)
+    monkeypatch.setattr(kernel_stages, "list_expansions", lambda: known)
     with pytest.raises(ValueError, match="nothing is proved about compiled tan"):
         list(list_computed_stages(kernel, paper))

@@ -10,8 +10,9 @@ import pytest
 import sympy as sp
 
 from mechproof.arithmetic.intervals import EPS, Interval, between, careful, exactly
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
 from mechproof.roundoff.condition_numbers import find_condition_numbers
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.regions import express
 from mechproof.roundoff.rules import RULES

@@ -11,7 +11,8 @@ from mechproof.programs.kernel import list_functions
 from mechproof.record import Argument, Chart, Form, Paper, Quantity, Variable
 from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import cover_all, list_stages, make_claim
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.steps import CONSTANT, Step
 

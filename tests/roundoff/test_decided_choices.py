@@ -7,7 +7,8 @@ import pytest
 
 from mechproof.arithmetic.cover import Boxes, as_boxes, cover_below, divide
 from mechproof.arithmetic.intervals import EPS, UNIT, Array, Interval, careful
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram
 

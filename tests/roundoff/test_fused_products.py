@@ -7,8 +7,9 @@ from fractions import Fraction
 import numpy as np
 
 from mechproof.arithmetic.intervals import EPS, ONE, Interval, careful
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
 from mechproof.roundoff.endpoint_rounding import AT_ENDPOINTS
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.running import fma
 from mechproof.roundoff.steps import Step, StraightLineProgram

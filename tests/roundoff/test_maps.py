@@ -16,7 +16,8 @@ from mechproof.derivations.track_wheel.kernels.poses import ROTATION
 from mechproof.derivations.track_wheel.mechanics import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff.affine import find_size
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import EXACT
 from mechproof.roundoff.symmetry import check_signs

@@ -14,8 +14,9 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy, Argument, Chart, Form, Paper, Quantity, Scale, Variable
 from mechproof.roundoff.certificate import cover_all
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.condition_numbers import spread
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import HALF
 

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from mechproof.arithmetic.intervals import Interval, careful
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
 from mechproof.roundoff.compensation import find_scaled
 from mechproof.roundoff.elementary_errors import prove
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.steps import Step, StraightLineProgram
 from mechproof.roundoff.symmetry import ODD, find_parities

@@ -20,7 +20,8 @@ from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.record import Accuracy, Chart, Quantity, Scale
 from mechproof.roundoff.certificate import describe_bound, holds
 from mechproof.roundoff.compiled_kernels import WAY
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.roundoff.steps import IN_NUMPY, WAY as NUMPY

@@ -17,7 +17,8 @@ import sympy as sp
 from mechproof.arithmetic.intervals import EPS, UNIT, Ends
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Operand
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.moved_matrices import bound_stretch, sort_moves
 from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 

@@ -22,8 +22,9 @@ from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.cover import Box, Boxes, Side
 from mechproof.arithmetic.intervals import EPS, LEAST_NORMAL, ONE, Array, list_spans
 from mechproof.programs.program import Operand
-from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import KINDS, ErrorAnalysis
 from mechproof.roundoff.climb import Points, Schedule, climb_and_judge
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables, bound_in_groups
 from mechproof.roundoff.running import (
     IN_BALLS,

@@ -17,10 +17,13 @@ from mechproof.arithmetic.intervals import Mask
 from mechproof.arithmetic.polynomials import is_zero
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
+from mechproof.roundoff.bound import KINDS
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.steps import CHOICE, CONSTANT, EXACT, Step, StraightLineProgram, keep_needed
 
 TEST = "greater_equal"
+# Functions that compiled kernels implement themselves, without a proved error.
+UNPROVED = frozenset({"exp", "log"})
 _Known = dict[tuple[str, tuple[Any, ...]], sp.Symbol]
 
 
@@ -57,6 +60,17 @@ def list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
         if _are_equal(*branches):
             return branches
     return (Branch(straight),)
+
+
+def list_bounded_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
+    """List the branches of steps; ValueError for operations whose rounding cannot be bounded."""
+    branches = list_branches(straight)
+    kinds = {step.kind for branch in branches for step in branch.straight.steps}
+    if unknown := sorted(kinds - (KINDS - UNPROVED)):
+        raise ValueError(
+            f"roundings of {', '.join(unknown)} cannot be bounded: leave out the charts"
+        )
+    return branches
 
 
 def _find_tested(straight: StraightLineProgram) -> str:

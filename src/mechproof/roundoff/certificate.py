@@ -23,7 +23,8 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import Kernel
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.compiled_kernels import WAY as COMPILED
-from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.kernel_stages import list_computed_stages
 from mechproof.roundoff.regions import ChartRegion, list_regions
 from mechproof.roundoff.steps import NORMAL
 from mechproof.roundoff.term_sums import SEARCHED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any
@@ -14,20 +14,18 @@ import sympy as sp
 
 from mechproof.arithmetic.cover import Boxes
 from mechproof.arithmetic.intervals import EPS, Array
-from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.operations import Arithmetic
-from mechproof.programs.program import CONSTANTS, Program, Stage, map_affinely
-from mechproof.programs.scalar import put_off_divisions
-from mechproof.record import Chart, Form, Paper, Quantity
+from mechproof.programs.program import CONSTANTS, Program, Stage
+from mechproof.record import Chart, Form
 from mechproof.roundoff.affine import AffineMap, measure_norm
-from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
-from mechproof.roundoff.branches import Branch, list_branches
-from mechproof.roundoff.compensation import find_compensated, find_scaled
-from mechproof.roundoff.compiled_kernels import COMPILED, WAY as COMPILED_WAY, list_expansions
+from mechproof.roundoff.bound import ErrorAnalysis
+from mechproof.roundoff.branches import Branch, list_bounded_branches
+from mechproof.roundoff.compiled_kernels import COMPILED
 from mechproof.roundoff.elementary_errors import prove
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import bound_in_groups
 from mechproof.roundoff.regions import (
     ChartMembership,
@@ -38,24 +36,16 @@ from mechproof.roundoff.regions import (
 )
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import (
-    CHOICE,
     CONSTANT,
     FUNCTIONS,
-    IN_NUMPY,
     NORMAL,
     SUMS,
     TERMS,
-    WAY,
     StraightLineProgram,
-    flatten_stage,
-    keep_needed,
 )
-from mechproof.roundoff.symmetry import check_signs
-from mechproof.roundoff.term_sums import SEARCHED, TermSum, take_sum
-from mechproof.roundoff.written_scales import WrittenScale, write_scale
+from mechproof.roundoff.term_sums import SEARCHED, TermSum
+from mechproof.roundoff.written_scales import WrittenScale
 
-# Functions that compiled kernels implement themselves, without a proved error.
-UNPROVED = frozenset({"exp", "log"})
 WAVES = ("sin", "cos")
 # Over more steps than this, including those of the scale, intervals get so wide that they need many
 # more boxes than linear forms do, although each box takes twice as long with these. Over fewer,
@@ -130,7 +120,7 @@ class ComputedStage:
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """Return the branches of the steps that are bounded separately."""
-        return _list_branches(self.straight)
+        return list_bounded_branches(self.straight)
 
     def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded.
@@ -271,102 +261,3 @@ class ComputedStage:
         asking = self.total.asking if self.total else IN_DOUBLES
         inside = [run(p, given, asking)[0] for p in programs]
         return np.logical_and.reduce(inside) if inside else True
-
-
-def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
-    """Yield the stages of a kernel that have charts, in every way of computing them."""
-    for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
-        if not form.charts:
-            continue
-        if kernel.code.indexed:
-            yield from _list_totals(kernel, paper)
-            continue
-        scale = write_scale(kernel.quantity, form, stage, paper)
-        straight = find_compensated(flatten_stage(stage, IN_NUMPY))
-        check_signs(straight, form, input_names(kernel.quantity))
-        affine = _find_map(kernel.quantity, stage, straight)
-        whole = affine.apply() if affine else straight
-        # In exact arithmetic all branches are the same function. Where this one loses digits, the
-        # search in long doubles sees a little less, but balls judge what it finds.
-        exact = _list_branches(whole)[0].straight
-        yield ComputedStage(kernel, form, stage, WAY, whole, exact, scale, map=affine)
-        if kernel.is_shipped:
-            yield _compile(kernel, form, stage, exact, scale)
-
-
-def _list_totals(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
-    """Yield the stage of a kernel with a sum over a set, in every way of computing it."""
-    ways = [(WAY, kernel, IN_NUMPY)]
-    if kernel.is_shipped:
-        ways.append((COMPILED_WAY, put_off_divisions(kernel), list_expansions()))
-    for way, own, expansions in ways:
-        is_compiled = way == COMPILED_WAY
-        total, reduced, known = take_sum(own, expansions, keeps_rests=is_compiled)
-        (form,), (stage,) = reduced.forms, reduced.code.stages
-        straight = flatten_stage(stage, known)
-        if is_compiled:
-            _check_functions(straight)
-        exact = _list_branches(straight)[0].straight
-        scale = write_scale(reduced.quantity, form, stage, paper)
-        computed = flatten_stage(stage, {}) if is_compiled else None
-        yield ComputedStage(
-            reduced, form, stage, way, straight, exact, scale, computed, total=total
-        )
-
-
-def _compile(
-    kernel: Kernel,
-    form: Form,
-    stage: Stage,
-    exact: StraightLineProgram,
-    scale: WrittenScale | None,
-) -> ComputedStage:
-    compiled = stage.change(defer_divisions)
-    expanded = keep_needed(flatten_stage(compiled, list_expansions()))
-    straight = find_scaled(find_compensated(expanded))
-    _check_functions(straight)
-    check_signs(straight, form, input_names(kernel.quantity))
-    affine = _find_map(kernel.quantity, stage, straight)
-    if affine:
-        straight, points = affine.apply(), affine.points
-        compiled = replace(compiled, running=points, evaluate=map_affinely(points))
-    # So that a ValueError is raised here rather than later, when a bound is requested.
-    _list_branches(straight)
-    computed = flatten_stage(compiled, {})
-    return ComputedStage(
-        kernel, form, stage, COMPILED_WAY, straight, exact, scale, computed, affine
-    )
-
-
-def _list_branches(straight: StraightLineProgram) -> tuple[Branch, ...]:
-    branches = list_branches(straight)
-    kinds = {step.kind for branch in branches for step in branch.straight.steps}
-    if unknown := sorted(kinds - (KINDS - UNPROVED)):
-        raise ValueError(
-            f"roundings of {', '.join(unknown)} cannot be bounded: leave out the charts"
-        )
-    return branches
-
-
-def _check_functions(straight: StraightLineProgram) -> None:
-    """Raise ValueError for functions of NumPy: compiled kernels must bring their own."""
-    assumed = {step.kind for step in straight.steps if not step.proved} & FUNCTIONS.keys()
-    if assumed:
-        raise ValueError(
-            f"nothing is proved about compiled {', '.join(sorted(assumed))}: leave out the charts"
-        )
-
-
-def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -> AffineMap | None:
-    """Return the map of an affine stage, None for others; ValueError for a computed shift."""
-    if not stage.affine:
-        return None
-    if any(step.kind == CHOICE for step in straight.steps):
-        raise ValueError("an affine map must not contain choices")
-    names = input_names(quantity)
-    points = tuple(names[s] for s in quantity.arguments[0].symbols)
-    shift = tuple(map(str, straight.outputs[-len(points) :]))
-    if not {*shift} <= {*straight.inputs}:
-        raise ValueError("the shift of an affine map must consist of inputs")
-    inputs = (*points, *stage.parameters)
-    return AffineMap(replace(straight, inputs=inputs), points, shift)

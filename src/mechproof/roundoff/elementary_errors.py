@@ -23,8 +23,9 @@ from mechproof.programs.elementary.fits import MARGIN, Sides, enclose_pieces
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.function_programs import build
 from mechproof.programs.program import Program
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
 from mechproof.roundoff.compensation import find_scaled
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.error_tables import ErrorTable, find_highest
 from mechproof.roundoff.interval_monomials import BoxVariables, Rows, split_cases
 from mechproof.roundoff.reduction import NEAR, bound_reduction

@@ -23,8 +23,9 @@ from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import NOTHING, Operation, Program, Stage
 from mechproof.programs.scalar import ADDED, TermLoop, fold_sums
 from mechproof.record import Argument, Chart, Form, Quantity, Scale
-from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
+from mechproof.roundoff.bound import ErrorAnalysis
 from mechproof.roundoff.elementary_errors import prove
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import HALF, Expansion, flatten_stage

@@ -19,7 +19,7 @@ from mechproof.programs.kernel import build_kernel, input_names
 from mechproof.programs.program import Operand, Stage
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.affine import find_size
-from mechproof.roundoff.bound import ErrorScale
+from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import IntervalMonomial
 from mechproof.roundoff.steps import EXACT, IN_NUMPY, Step, StraightLineProgram, flatten_stage
 
