@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import find_close, measure_depths
@@ -22,17 +22,20 @@ _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
 _OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
 _SPEEDS = (r"\omega", r"\Omega")
-RUNNING = (*"txyz", r"\tau", r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
+_TIMES = ("t", r"\tau")
+RUNNING = (*"xyz", *_TIMES, r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
 # Signs in front of the variable of a derivative.
 _BY = ["{", "d"]
 _INCREMENT = re.compile(r"\\Delta\s*(?:[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{[^{}]*\}))?")
 
 
-def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
+def find_factors(prints: Iterable[str], numbers: Collection[str] = ()) -> tuple[str, ...]:
     r"""Return the letters that multiply the bracket after them: r(1-\cos\varphi)=r-r\cos\varphi.
 
     Such a letter also appears without a bracket, or has dots, and none of its brackets may be an
-    argument. A sum whose running letters are all bound by integrals around it is not an argument.
+    argument. A sum whose running letters are all bound by integrals around it is not an argument,
+    nor is one after a letter of `numbers`, which conditions compare with numbers, unless that
+    letter may depend on another one in the sum.
     """
     bare: set[str] = set()
     brackets: dict[str, list[bool]] = defaultdict(list)
@@ -47,7 +50,10 @@ def find_factors(prints: Iterable[str]) -> tuple[str, ...]:
             inside = texts[n : n + find_close(texts[n:])]
             argument = {*inside} & {*RUNNING, *around[n]}
             is_bound = letter in beside and bool(argument) and argument <= around[n]
-            brackets[letter].append(_is_factor(inside, is_bound=is_bound))
+            # Positions run with anything, all else with time: v(t-t_0), x(\varphi+\pi).
+            moved_by = RUNNING if letter in RUNNING else _TIMES
+            is_number = letter in numbers and not {*inside} & {*moved_by}
+            brackets[letter].append(_is_factor(inside, is_number=is_bound or is_number))
     bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
     return tuple(
         x
@@ -86,7 +92,7 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
     return found | {
         (one, other)
         for one, other in met
-        if (one.partition("_")[0] in _SPEEDS and other in ("t", r"\tau"))
+        if (one.partition("_")[0] in _SPEEDS and other in _TIMES)
         or ((one in (*_RATES, *_SPEEDS) and other in RUNNING) and met.count((one, other)) > 1)
     }
 
@@ -169,15 +175,15 @@ def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
                 yield start, place, "".join(texts[place + 1 : place + 2])
 
 
-def _is_factor(bracket: Sequence[str], *, is_bound: bool) -> bool:
+def _is_factor(bracket: Sequence[str], *, is_number: bool) -> bool:
     """Return whether a bracket is not an argument, as x+h is, or 1-x outside an integral over x.
 
-    It contains a product with a dot, or it is a sum with a function, with a bound variable, or of 1
-    and a power.
+    It contains a product with a dot, or it is a sum after a number, with a function, or of 1 and a
+    power.
     """
     depths = measure_depths(bracket)
     inside = [x if depth == 1 else "" for x, depth in zip(bracket, depths, strict=True)]
     has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
     is_ratio = inside[1:2] == ["1"] and "^" in inside
     is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))
-    return r"\cdot" in inside or (is_sum and (is_bound or has_function or is_ratio))
+    return r"\cdot" in inside or (is_sum and (is_number or has_function or is_ratio))

@@ -156,7 +156,8 @@ def _take_special(pasted: Pasted) -> Pasted:
     """Name special letters of a pasted equation as such: Euler's number e, factors, ..."""
     prints = pasted.prints
     said = [text.partition("=")[0].strip() for text in pasted.values]
-    said += [*special_letters.find_declared(pasted.where), *special_letters.find_running(prints)]
+    numbers = special_letters.find_declared(pasted.where)
+    said += [*numbers, *special_letters.find_running(prints)]
     named = [*pasted.names, *(letter for letter in UNSURE if letter in said)]
     if "e" not in (*named, *pasted.natural) and special_letters.means_euler(prints):
         named.append("e")
@@ -167,7 +168,7 @@ def _take_special(pasted: Pasted) -> Pasted:
     ):
         named.append("d")
     named += find_increments(prints)
-    factors = (*pasted.factors, *find_factors(prints))
+    factors = (*pasted.factors, *find_factors(prints, numbers))
     return replace(pasted, names=tuple(dict.fromkeys(named)), factors=factors)
 
 
