@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from pathlib import Path
@@ -11,6 +11,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.record.exactness import check_name, check_texts
+from mechproof.record.memory import remember_last
 from mechproof.record.quantities import OnePass, Quantity
 from mechproof.record.rows import Row
 from mechproof.record.variables import Notation, Part, Variable, list_given
@@ -170,10 +171,11 @@ class Paper(Displayed):
             raise ValueError(
                 f"paper: system = {self.system!r}: must not be one of {', '.join(RESERVED)}"
             )
-        check_texts(self, f"paper {self.system!r}")
+        for name, part in vars(self).items():
+            _check_texts_of(self.system, name, part)
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
-            ("symbols", [str(variable.symbol) for variable in self.variables]),
+            ("symbols", _name_symbols(self.variables)),
             ("quantities", [q.name for q in self.quantities] + [t.name for t in self.one_pass]),
             ("findings", [finding.row for finding in self.findings]),
         ):
@@ -197,6 +199,17 @@ class Paper(Displayed):
     def list_relations(self, *parts: Part | None) -> tuple[sp.Basic, ...]:
         """Return the relations that hold in the domain of the paper and in all given parts."""
         return self.where + tuple(r for part in parts if part for r in part.where)
+
+
+# Changing one field of a paper leaves the others as they were checked.
+@remember_last(64)
+def _check_texts_of(system: str, name: str, part: object) -> None:
+    check_texts(part, f"paper {system!r}, {name}")
+
+
+@remember_last(8)
+def _name_symbols(variables: Sequence[Variable]) -> list[str]:
+    return [str(variable.symbol) for variable in variables]
 
 
 def _check_sentences(paper: Paper) -> None:
