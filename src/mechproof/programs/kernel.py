@@ -10,8 +10,10 @@ import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from typing import Any
 
 import sympy as sp
+from sympy.printing.repr import ReprPrinter
 
 from mechproof.programs.argument_conditions import can_be_left, checked_relations
 from mechproof.programs.evaluation import (
@@ -229,10 +231,26 @@ def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.
     return matrix + [output.xreplace(dict.fromkeys(point, sp.S.Zero)) for output in outputs]
 
 
+class _Writer(ReprPrinter):
+    """SymPy's `srepr`, except that a part that occurs repeatedly is written once."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._known: dict[sp.Basic, str] = {}
+
+    def _print(self, node: Any, **options: Any) -> str:
+        if not isinstance(node, sp.Basic):
+            return str(super()._print(node, **options))
+        if node not in self._known:
+            self._known[node] = super()._print(node, **options)
+        return self._known[node]
+
+
 def hash_expressions(evaluations: list[Evaluation]) -> str:
     """Return the SHA-256 of the `srepr` of the steps and outputs before any rewrite."""
-    parts = [sp.srepr(part) for e in evaluations for step in e.steps for part in step]
-    parts += [sp.srepr(e.output) for e in evaluations]
+    write = _Writer().doprint
+    parts = [write(part) for e in evaluations for step in e.steps for part in step]
+    parts += [write(e.output) for e in evaluations]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
