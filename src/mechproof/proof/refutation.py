@@ -289,15 +289,26 @@ def _write_out_at(expression: sp.Basic, exact: tuple[tuple[sp.Basic, sp.Basic], 
 
 def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
     """Return whether a root or logarithm outside of cases has a certainly negative argument."""
-    if isinstance(expression, sp.Piecewise) or not find_free(expression) <= point.keys():
-        return False
-    if any(_leaves_the_reals(part, point) for part in expression.args):
-        return True
+    for argument, letters in _list_radicands(expression):
+        if letters <= point.keys():
+            ball = balls.evaluate(argument, point)
+            if ball.is_finite() and ball < 0:
+                return True
+    return False
+
+
+# Cached for each part, as a statement is tried at many points.
+@lru_cache(maxsize=4096)
+def _list_radicands(expression: sp.Basic) -> tuple[tuple[sp.Expr, frozenset[sp.Basic]], ...]:
+    """List the arguments of roots and logarithms, with the letters of what they are in."""
+    if isinstance(expression, sp.Piecewise):
+        return ()
+    free = find_free(expression)
+    inner = [one for part in expression.args for one in _list_radicands(part)]
     is_root = isinstance(expression, sp.Pow) and not expression.exp.is_integer
-    if not (is_root or isinstance(expression, sp.log)):
-        return False
-    argument = balls.evaluate(expression.args[0], point)
-    return bool(argument.is_finite() and argument < 0)
+    if is_root or isinstance(expression, sp.log):
+        inner.append((expression.args[0], free))
+    return tuple(dict.fromkeys((argument, letters | free) for argument, letters in inner))
 
 
 def _enclose_both(
