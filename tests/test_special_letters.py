@@ -22,6 +22,9 @@ ROWS = [
     (r"\lim_{x\to0}(\cos x)^{1/x^2}=e^{-1/2}", (), (), PROVED),
     (r"\lim_{x\to0}(1+2x)^{1/x}=e", (), (), REFUTED),
     (r"\sum_{k=0}^\infty\frac{(-1)^k}{k!}=\frac1e", (), (), PROVED),
+    # So is one up to which a logarithm is integrated.
+    (r"\int_1^e\frac{dx}x=1", (), (), PROVED),
+    (r"\int_1^e\ln x\,dx=e-1", (), (), REFUTED),
     # Likewise in a given value.
     (r"\ddot x=x", ("x=e^{-t}",), (), PROVED),
     (r"\ddot x=-x", ("x=e^{-t}",), (), REFUTED),

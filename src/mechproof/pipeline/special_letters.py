@@ -46,6 +46,8 @@ _APPROACHED = re.compile(r"\\lim_\{\s*([A-Za-z])\s*\\(?:to|rightarrow)(?![A-Za-z
 _RUNS = re.compile(r"\\(?:lim|sum|prod)_\{\s*([A-Za-z])(?![A-Za-z])")
 # Matches an e that is an eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
+# Matches the interval on which a logarithm grows from 0 to 1.
+_FROM_ONE = re.compile(r"\\int_\{?1\}?\^\{?e(?![A-Za-z])")
 
 
 def find_declared(conditions: Iterable[str]) -> list[str]:
@@ -62,16 +64,16 @@ def find_running(prints: Sequence[str]) -> set[str]:
 
 
 def means_euler(prints: Sequence[str]) -> bool:
-    """Return whether an e has letters in its exponent or a logarithm before it: Euler's number.
+    r"""Return whether an e has letters in its exponent or a logarithm before it: Euler's number.
 
-    It is also Euler's number if no other letter is free and the running letter is in an exponent or
-    there is a factorial. It is not if any e is an eccentricity.
+    It is also Euler's number in \int_1^e, and if no other letter is free and the running letter is
+    in an exponent or there is a factorial. It is not if any e is an eccentricity.
     """
     if any(map(_ECCENTRIC.search, prints)):
         return False
     split = map(list_signs, prints)
     is_raised = any(x == "e" and _list_letters(t, n) for t in split for n, x in enumerate(t))
-    return is_raised or any(map(_is_of_numbers, prints))
+    return is_raised or any(map(_FROM_ONE.search, prints)) or any(map(_is_of_numbers, prints))
 
 
 def _is_of_numbers(latex: str) -> bool:
