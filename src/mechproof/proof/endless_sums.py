@@ -185,7 +185,16 @@ _ZETA = tuple(
         _Series((_ODD / (_ODD + 2)) ** power, (1 - sp.Integer(2) ** -power) * sp.zeta(power)),
     )
 )
-SERIES = (*_ELEMENTARY, *_ZETA)
+_BETA = tuple(
+    # The sum of (-1)**j/(2*j + 1)**power, by Euler's numbers.
+    _Series(
+        -((_ODD / (_ODD + 2)) ** power),
+        abs(sp.euler(power - 1)) * sp.pi**power / (2 ** (power + 1) * sp.factorial(power - 1)),
+    )
+    for power in _POWERS
+    if power % 2
+)
+SERIES = (*_ELEMENTARY, *_ZETA, *_BETA)
 
 
 def settle_series(expression: Any, domain: Domain) -> Any:

@@ -95,6 +95,8 @@ def write_by_logarithms(node: sp.Expr, domain: Domain) -> sp.Expr:
     """Write powers of positive bases as exponentials, logarithms of products as sums."""
     if not node.args or not node.has(sp.log, sp.Pow, sp.exp):
         return node
+    if isinstance(node, HYPERBOLIC) and node.has(sp.log):
+        node = node.rewrite(sp.exp)
     node = node.func(*(write_by_logarithms(argument, domain) for argument in node.args))
     if isinstance(node, sp.log):
         logarithm = _take_logarithm(node.args[0], domain)

@@ -230,8 +230,10 @@ def _find_endless(domain: Domain, total: sp.Sum) -> sp.Expr | None:
         rest = _find_endless(domain, sp.Sum(total.function, (k, first + 1, sp.oo)))
         return None if rest is None else term.subs(_J, 0) + rest
     for factor, wave, angle in _read(term):
-        if (known := SERIES.get(wave)) and _is_between(angle, known, domain):
-            return factor * known.value.subs(_U, angle)
+        if (known := SERIES.get(wave)) and (
+            u := _find_angle(wave, angle, known, domain)
+        ) is not None:
+            return factor * known.value.subs(_U, u)
     return next(_find_by_powers(term, domain), None)
 
 
@@ -285,6 +287,12 @@ def _turn(factor: sp.Expr, wave: _Wave, angle: sp.Expr) -> tuple[sp.Expr, _Wave,
     return -factor if is_sine else factor, other, angle + sp.pi / 2
 
 
-def _is_between(angle: sp.Expr, known: _Value, domain: Domain) -> bool:
+def _find_angle(wave: _Wave, angle: sp.Expr, known: _Value, domain: Domain) -> sp.Expr | None:
+    """Return the angle, or the modulus of that of a cosine, if it is shown to lie in the range."""
     is_above = is_positive if known.is_open else is_nonnegative
-    return is_above(angle, domain) and is_above(known.end - angle, domain)
+    if not is_above(known.end - angle, domain):
+        return None
+    if is_above(angle, domain):
+        return angle
+    is_even = wave.kind is sp.cos and not known.is_open
+    return sp.Abs(angle) if is_even and is_above(known.end + angle, domain) else None
