@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -155,7 +156,8 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
             f"{variable} does not appear in the differentiated expression: does that depend on it?",
             _advise_dependence(meaning, node),
         )
-    if any(depends_on & part.free_symbols for part in value.atoms(*UNSMOOTH)):
+    unsmooth = value.atoms(*UNSMOOTH) - value.atoms(sp.atan2)
+    if any(depends_on & part.free_symbols for part in unsmooth):
         raise meaning.source.refuse(
             node.of.start,
             "a derivative of a function with kinks or steps is not read",
@@ -199,7 +201,10 @@ def _give_rate(
     variable: sp.Symbol,
     depends_on: set[sp.Basic],
 ) -> sp.Expr:
-    """Return the derivative of a scalar, defined where the scalar and its moduli have values."""
+    """Return the derivative of a scalar, defined where the scalar and its moduli have values.
+
+    A direction (x, y) also must not be along the negative x-axis, at which its angle jumps.
+    """
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     turning = {part.args[0] for part in value.atoms(*OF_SIGNS) if depends_on & part.free_symbols}
     for number in sorted(turning, key=sp.default_sort_key):
@@ -213,7 +218,9 @@ def _give_rate(
             value = differentiate(value, variable, moving)
     except ValueError as error:
         raise meaning.source.refuse(node.start, str(error)) from error
-    return DerivativeWhere(value, needed)
+    angles = (one.args for one in needed.atoms(sp.atan2) if depends_on & one.free_symbols)
+    ahead = [sp.sqrt(x**2 + y**2) + x for y, x in sorted(angles, key=str)]
+    return reduce(ValueWhere, map(sp.log, ahead), DerivativeWhere(value, needed))
 
 
 def _give_any(
@@ -225,7 +232,7 @@ def _give_any(
         raise meaning.source.refuse(
             printed.start, "a derivative of an order that is not whole", meaning.remedies.membership
         )
-    if depends_on & value.free_symbols != {variable} or value.has(*OF_SIGNS):
+    if depends_on & value.free_symbols != {variable} or value.has(*OF_SIGNS, sp.atan2):
         raise meaning.source.refuse(
             printed.start, f"a derivative of order {order} with other moving letters, |…| or sgn"
         )
