@@ -249,12 +249,28 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
         needed = describe_needs([list_unshown(side, domain) for side in sides])
         reason = f"both sides agree where {needed}, which is not stated"
         return Answer(Verdict.UNDECIDED, rung, reason)
+    if told := _find_between_wholes(sides, domain):
+        return told
     comparison = compare(printed, rebuilt, domain)
     if example := comparison.counterexample or find_counterexample(sides, domain, settle_sides):
         reason = explain_break(printed, domain, is_shown=True) or "the two sides differ"
         return Answer(Verdict.REFUTED, BALLS, reason, (example,))
     why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
     return report_unproved(comparison, why)
+
+
+def _find_between_wholes(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> Answer | None:
+    """Answer for sides with infinite sums that are equal where a letter is no whole number."""
+    sums = {total for side in sides for total in side.atoms(sp.Sum) if total.limits[0][2] == sp.oo}
+    letters = {s for total in sums for s in total.free_symbols if not s.is_integer}
+    said = {s for relation in domain.where for s in relation.free_symbols}
+    for letter in sorted(letters - said, key=str):
+        apart = sp.Ne(letter, sp.floor(letter))
+        answer = decide_sides(*sides, replace(domain, where=(*domain.where, apart)))
+        if answer.verdict is Verdict.PROVED:
+            told = f"both sides agree where {letter} is not a whole number, which is not stated"
+            return Answer(Verdict.UNDECIDED, answer.rung, told)
+    return None
 
 
 def _report_equal(
