@@ -47,7 +47,7 @@ def find_limit(
     written = _write_far_out(expression, x, point, side)
     if written.has(*_UNREAD):
         return None
-    written = _write_directions(written, domain)
+    written = _take_rates(_write_directions(written, domain), domain)
     seen = write_inverses(written, lambda node: _find(node, domain, _DEEPEST))
     found = _find(seen, domain, _DEEPEST)
     if found is None and seen.has(*_FACTORIALS):
@@ -82,19 +82,37 @@ def _write_directions(expression: sp.Expr, domain: Domain) -> sp.Expr:
     )
 
 
+def _take_rates(expression: sp.Expr, domain: Domain) -> sp.Expr:
+    """Write ln of a sum as a*y + ln(sum*exp(-a*y)) if it grows at a rate a of unknown sign."""
+    written = expression.replace(
+        lambda node: isinstance(node, sp.Pow) and node.exp.has(_Y),
+        lambda power: sp.exp(power.exp * sp.log(power.base)),
+    )
+    found: dict[sp.Expr, sp.Expr] = {}
+    for total in (node.args[0] for node in written.atoms(sp.log) if node.args[0].is_Add):
+        order = _find_order(total, domain, _DEEPEST)
+        if order is not None and order.rate.free_symbols:
+            rest = sp.expand(total * sp.exp(-order.rate * _Y))
+            found[sp.log(total)] = order.rate * _Y + sp.log(rest)
+    return written.xreplace(found) if found else expression
+
+
 def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
     """Return 1 or -1 if a number is shown to be positive or negative for all large y, else None."""
     limit = _find(number, domain, _DEEPEST)
-    if limit is None or limit != 0:
-        return None if limit is None else _direction(limit, domain)
+    if limit is not None and limit != 0:
+        return _direction(limit, domain)
     order = _find_order(number, domain, _DEEPEST)
     return None if order is None or order.factor is None else _direction(order.factor, domain)
 
 
 def _direction(number: sp.Expr, domain: Domain) -> int | None:
-    """Return the sign, 1 or -1, of a number that is shown to be nonzero, else None."""
+    """Return the sign, 1 or -1, of a number shown to be nonzero; that of ln u is that of u - 1."""
     if number in (sp.oo, -sp.oo):
         return 1 if number == sp.oo else -1
+    scale, logarithm = (join_logarithms(number) or number).as_coeff_Mul()
+    if isinstance(logarithm, sp.log):
+        number = scale * sp.together(logarithm.args[0] - 1)
     sign = find_sign(number, domain)
     return sign.direction if sign is not None and sign.strict else None
 
@@ -325,6 +343,8 @@ def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> O
     if not limit.is_infinite and _direction(limit, domain) == 1:
         return _constant(sp.log(limit)) if _direction(sp.log(limit), domain) else None
     order = _find_order(argument, domain, depth)
-    if order is None or order.factor is None or order.rate != 0 or order.power == 0:
+    if order is None or order.factor is None:
         return None
-    return Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power)
+    if order.rate != 0:
+        return Order(sp.S.Zero, sp.S.One, sp.S.Zero, order.rate)
+    return Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power) if order.power != 0 else None

@@ -1,8 +1,8 @@
-"""Evaluate limits: by continuity, or by as many derivatives as both parts vanish.
+"""Evaluate limits.
 
-For functions that are smooth around the point, the limit from either side is the value; others are
-examined on each side that is meant and on which they have values, by how fast their parts grow
-(`growth`). Any other limit stays as it is, neither proved nor refuted.
+Functions that are smooth around the point come first (`smooth_limits`); others are examined on each
+side that is meant and on which they have values, by how fast their parts grow (`growth`). Any other
+limit stays as it is, neither proved nor refuted.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
-from sympy.core.symbol import Str
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.continuity import find_break
@@ -20,20 +19,16 @@ from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.induction import sum_up
 from mechproof.proof.integral_kinds import list_zeros_between
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive
-from mechproof.record import AnyFunction, DerivativeWhere, ValueWhere, list_partial
+from mechproof.proof.smooth_limits import find_smooth
+from mechproof.record import DerivativeWhere, ValueWhere, list_partial
 from mechproof.record.parts import find_parts
 from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
 FROM_SIDES = "limits from both sides"
-_MOST_DERIVATIVES = 9
 # Work limit: zeros larger than this are not looked for.
 _FAR = sp.Integer(10) ** 9
-_ENTIRE = (
-    *(sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan, sp.asinh),
-    *(sp.erf, AnyFunction, Str),
-)
 
 
 def settle_limits(expression: Any, domain: Domain) -> Any:
@@ -51,7 +46,7 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
     # Real, as n is replaced by 1/n: sin(pi/n) would become sin(pi*n), which SymPy evaluates to 0.
     running = sp.Dummy(variable.name, real=True)
     run = write_by_sines(body.xreplace({variable: running}))
-    value = _find_smooth(run, running, point, domain)
+    value = find_smooth(run, running, point, domain)
     if value is None and variable.is_integer and point == sp.oo:
         count = sp.Dummy(variable.name, integer=True, positive=True)
         value = _find_of_sequence(body.xreplace({variable: count}), count, domain)
@@ -214,44 +209,3 @@ def describe_jump(sides: tuple[Any, Any], domain: Domain) -> str:
         for zero in list_zeros_between(1 / value.args[1], x, -_FAR, _FAR)
     )
     return next(filter(None, (_describe_unlike(limit, domain) for limit in limits)), "")
-
-
-def _find_smooth(
-    body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain
-) -> sp.Expr | None:
-    if point.is_infinite:
-        # x tends to infinity as 1/x tends to zero.
-        body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero
-    above, below = sp.fraction(sp.together(body))
-    for _ in range(_MOST_DERIVATIVES):
-        if not all(_is_smooth(part, variable, point, domain) for part in (above, below)):
-            return None
-        top, bottom = (part.subs(variable, point) for part in (above, below))
-        if is_nonzero(bottom, domain):
-            return top / bottom
-        if not all(decide_equal(part, sp.S.Zero, domain) for part in (top, bottom)):
-            return None
-        # By l'Hospital's rule: it needs a derivative of the denominator without zeros near the
-        # point.
-        above, below = (sp.diff(part, variable) for part in (above, below))
-    return None
-
-
-def _is_smooth(node: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
-    """Return whether an expression is shown to have all derivatives around a point."""
-    if variable not in node.free_symbols:
-        return True
-    if node == variable:
-        return True
-    if not all(_is_smooth(part, variable, point, domain) for part in node.args):
-        return False
-    if isinstance(node, _ENTIRE):
-        return True
-    base = node.args[0].subs(variable, point)
-    if isinstance(node, sp.Pow) and node.exp.is_Integer:
-        return node.exp >= 0 or is_nonzero(base, domain)
-    if isinstance(node, sp.tan):
-        return is_nonzero(sp.cos(base), domain)
-    if isinstance(node, sp.asin | sp.acos | sp.atanh):
-        return is_positive(1 - base**2, domain)
-    return isinstance(node, sp.Pow | sp.log) and is_positive(base, domain)

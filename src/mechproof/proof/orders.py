@@ -82,7 +82,7 @@ def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
 
 def join_logarithms(node: sp.Add) -> sp.Expr | None:
     """Write c*(ln u - ln v) plus a rest as c*ln(u/v) plus the rest."""
-    terms = [t.as_coeff_Mul() for t in node.args]
+    terms = [t.as_coeff_Mul() for t in sp.Add.make_args(node)]
     logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
     if len(logarithms) < 2:
         return None
@@ -172,6 +172,9 @@ def _part(
     if type(moving) in LIKE_ONE:
         (u,) = moving.args
         return (scale, scale * LIKE_ONE[type(moving)](u)) if find(u) == 0 else None
+    if isinstance(moving, sp.Pow) and not moving.base.has(y) and is_positive(moving.base, domain):
+        u = moving.exp * sp.log(moving.base)
+        return (scale, scale * u) if find(u) == 0 else None
     if not isinstance(moving, sp.Pow) or moving.exp.has(y):
         return None
     base = find(moving.base)
