@@ -13,6 +13,80 @@ PAIRS = [
     (r"\tanh(\ln x)=\frac{x^2-1}{%s}", "x^2+1", "x^2+2", ("x>0",)),
     (r"\cosh(\ln x)=\frac{x^2+1}{%s}", "2x", "x", ("x>0",)),
     (r"\sum_{n=0}^\infty\frac{(-1)^n}{(2n+1)^3}=%s", r"\frac{\pi^3}{32}", r"\frac{\pi^3}{16}", ()),
+    # Moduli of quotients, in divisors.
+    (
+        r"\int\frac{dx}{x^2-a^2}=\frac1{2a}\ln\left|%s\right|+C",
+        r"\frac{x-a}{x+a}",
+        r"\frac{x+a}{x-a}",
+        ("a>0",),
+    ),
+    (
+        r"\int\frac{dx}{x(ax+b)}=-\frac1b\ln\left|%s\right|+C",
+        r"\frac{ax+b}x",
+        r"\frac{ax-b}x",
+        ("a>0", "b>0"),
+    ),
+    # An exponent above a negative number.
+    (r"\int_0^1x^a\ln x\,dx=%s", r"-\frac1{(a+1)^2}", r"\frac1{(a+1)^2}", ("a>-1",)),
+    # The angle counted from a quarter turn, and the mean of an integrand and its mirror image.
+    (r"\int_0^\pi\frac{dx}{1+\sin x}=%s", "2", r"\pi", ()),
+    (r"\int_0^\pi\frac{x\,dx}{1+\sin x}=%s", r"\pi", r"2\pi", ()),
+    (
+        r"\int_0^\pi\frac{x\,dx}{a^2\cos^2x+b^2\sin^2x}=%s",
+        r"\frac{\pi^2}{2ab}",
+        r"\frac{\pi^2}{ab}",
+        ("a>0", "b>0"),
+    ),
+    # From the table.
+    (
+        r"\int_0^\infty\frac{x^{p-1}}{1+x^q}\,dx=\frac\pi{%s}",
+        r"q\sin\frac{\pi p}q",
+        r"p\sin\frac{\pi p}q",
+        ("0<p<q",),
+    ),
+    (
+        r"\int_0^\pi\frac{\cos n\theta}{5-4\cos\theta}d\theta=\frac\pi{%s}",
+        r"3\cdot2^n",
+        r"3\cdot2^{n+1}",
+        (r"n\in\mathbb N",),
+    ),
+    (
+        r"\int_0^{2\pi}\frac{\cos nx}{5+3\cos x}dx=\frac\pi2\left(%s\right)^n",
+        r"-\frac13",
+        r"\frac13",
+        (r"n\in\mathbb N",),
+    ),
+    # Over whole periods an angle is counted from anywhere, and once instead of n times.
+    (r"\int_0^\pi|\cos nx|\,dx=%s", "2", "2n", (r"n\in\mathbb N",)),
+    (r"\int_0^{2\pi}|\sin nx|\,dx=%s", "4", "2", (r"n\in\mathbb N",)),
+    (r"\int_0^{2\pi}|a\cos x+b\sin x|\,dx=4%s", r"\sqrt{a^2+b^2}", "(|a|+|b|)", ()),
+    (
+        r"\int_0^{2\pi}\ln(a+b\cos x+c\sin x)\,dx=2\pi\ln\frac{a+\sqrt{%s}}2",
+        "a^2-b^2-c^2",
+        "a^2-b^2",
+        ("a>0", "a^2>b^2+c^2"),
+    ),
+    # Waves divided by powers.
+    (r"\int_0^\infty\frac{\sin^4x}{x^4}\,dx=%s", r"\frac\pi3", r"\frac\pi4", ()),
+    (r"\int_0^\infty\frac{\sin^3x}{x^3}\,dx=%s", r"\frac{3\pi}8", r"\frac\pi3", ()),
+    (r"\int_0^\infty\frac{\sin x-x\cos x}{x^3}\,dx=%s", r"\frac\pi4", r"\frac\pi2", ()),
+    # Limits of powers.
+    (r"\lim_{n\to\infty}(a^n+b^n)^{1/n}=%s", "a", "b", ("a>b>0",)),
+    (r"\lim_{n\to\infty}\sqrt[n]{2^n+3^n}=%s", "3", "5", ()),
+    (
+        r"\lim_{x\to0}\left(\frac{a^x+b^x}2\right)^{1/x}=%s",
+        r"\sqrt{ab}",
+        r"\frac{a+b}2",
+        ("a>0", "b>0"),
+    ),
+    # Derivatives of the direction of a vector.
+    (
+        r"\frac{\partial}{\partial x}\operatorname{atan2}(y,x)=%s",
+        r"-\frac y{x^2+y^2}",
+        r"\frac y{x^2+y^2}",
+        ("x>0",),
+    ),
+    (r"\frac d{dt}\operatorname{atan2}(\sin t,\cos t)=%s", "1", "-1", (r"-\pi<t<\pi",)),
     # A cosine series is even; beyond its period it has other values.
     (
         r"\sum_{n=1}^\infty\frac{\cos(2n-1)x}{(2n-1)^2}=\frac{\pi^2}8-\frac\pi4%s",
@@ -29,6 +103,16 @@ PAIRS = [
 ]
 # Prints with the conditions stated, under which they are not true everywhere.
 WRONG = [
+    (r"\lim_{n\to\infty}(a^n+b^n)^{1/n}=a", ("a>0", "b>0")),
+    (r"\frac{\partial}{\partial y}\operatorname{atan2}(y,x)=\frac x{x^2+y^2}", ("x<0",)),
+    (r"\frac d{dt}\operatorname{atan2}(\sin t,\cos t)=1", ()),
+    (r"\pi\cot\pi x=\frac1x+\sum_{n=1}^\infty\frac x{x^2-n^2}", ()),
+    (r"\int_0^{\frac\pi2}|\sin nx|\,dx=1+\frac{\sin^2n\pi}n", (r"n\in\mathbb N",)),
+    (r"\int_0^\pi|\cos nx|\,dx=2", ("n>1",)),
+    (r"\int_0^\pi|a\cos x+b\sin x|^3\,dx=\frac43(a^2+b^2)\sqrt{a^2+b^2}+1", ()),
+    (r"\int_0^\pi(a\cos x+b\sin x)\,dx=0", ()),
+    (r"\int_0^\infty\frac{\sin^3x}{x^4}\,dx=\frac\pi2", ()),
+    (r"\int_0^1x^a\ln x\,dx=-\frac1{(a+1)^2}", ("a>-2",)),
     (
         r"\sum_{n=1}^\infty\frac{\cos(2n-1)x}{(2n-1)^2}=\frac{\pi^2}8-\frac\pi4|x|",
         (r"-\pi\le x\le2\pi",),
@@ -54,3 +138,11 @@ def test_a_formula_is_proved_and_a_wrong_one_refuted(
 @pytest.mark.parametrize(("latex", "where"), WRONG)
 def test_a_formula_is_not_proved_where_it_fails(latex: str, where: tuple[str, ...]) -> None:
     assert judge(latex, where) is not Verdict.PROVED
+
+
+@pytest.mark.slow
+def test_whole_numbers_that_are_poles_are_named() -> None:
+    latex = r"\pi\cot\pi x=\frac1x+\sum_{n=1}^\infty\frac{2x}{x^2-n^2}"
+    (found,) = judge_pasted(Pasted(latex)).judgements
+    assert found.verdict is Verdict.UNDECIDED
+    assert "x is not a whole number" in found.reason

@@ -169,7 +169,7 @@ def _write_pieces(node: sp.Expr, poles: Collection[sp.Expr]) -> sp.Expr:
     """Write one function by pieces; the point where they meet may belong to either."""
     if isinstance(node, sp.sign):
         (number,) = node.args
-        if number.is_Mul:
+        if number.is_Mul and number not in poles:
             signs = sp.Mul(*map(sp.sign, number.args))
             return signs.replace(sp.sign, lambda factor: _write_pieces(sp.sign(factor), poles))
         if number.could_extract_minus_sign():

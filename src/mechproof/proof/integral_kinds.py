@@ -19,6 +19,7 @@ from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import Slack
+from mechproof.record.parts import TURNING
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -132,6 +133,30 @@ def _list_zeros_of_wave(inner: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr
     if slope != 0 and (slope.is_Rational or (slope / sp.pi).is_Rational):
         start = angle.subs(variable, 0) + sp.atan2(across, along)
         yield from ((sp.pi * k - start) / slope for k in range(-_MOST_ZEROS, _MOST_ZEROS))
+
+
+def unwind(integral: sp.Integral) -> sp.Integral:
+    """Return an integral over whole periods with n*x as x, a*cos x + b*sin x as one cosine."""
+    integrand, (x, lower, upper) = integral.args
+    angles = {wave.args[0] for wave in integrand.atoms(*TURNING) if wave.has(x)}
+    u = sp.Dummy("u", real=True)
+    inner = integrand.xreplace(dict.fromkeys(angles, u))
+    turns = (upper - lower) / (2 * sp.pi)
+    is_even = inner.subs(u, u + sp.pi) == inner
+    is_whole = (2 * turns if is_even else turns).is_Integer and turns > 0
+    if len(angles) != 1 or inner.has(x) or not is_whole:
+        return integral
+    (angle,) = angles
+    times = sp.diff(angle, x)
+    if not (times.is_integer and times.is_positive):
+        return integral
+    for wave in (node.as_independent(u)[1] for node in inner.atoms(sp.Add)):
+        along, across = (wave.coeff(one) for one in (sp.cos(u), sp.sin(u)))
+        turned = inner.subs(wave, sp.sqrt(along**2 + across**2) * sp.cos(u))
+        is_wave = wave == along * sp.cos(u) + across * sp.sin(u) and across != 0
+        if turns.is_Integer and is_wave and not inner.subs(wave, 0).has(u):
+            inner = turned
+    return sp.Integral(inner.xreplace({u: x}), (x, lower, upper))
 
 
 _BY_PIECES = (*IN_PIECES, sp.Piecewise, sp.floor)

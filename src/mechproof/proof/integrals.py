@@ -31,11 +31,13 @@ from mechproof.proof.integral_kinds import (
     is_iterated,
     list_poles,
     may_reach_zero,
+    unwind,
 )
 from mechproof.proof.powers import decide_by_logarithms, write_roots
 from mechproof.proof.proposed_antiderivatives import propose
 from mechproof.proof.refutation import are_seen_to_differ, points_for
 from mechproof.proof.signs import is_nonzero
+from mechproof.proof.smooth_limits import find_smooth
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record import Slack
@@ -144,6 +146,8 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
+    if (unwound := unwind(integral)) != integral:
+        return _find_value(unwound, domain)
     written = write_roots(integrand, {variable}, domain)
     if has_pieces(written, variable):
         found = _find_by_pieces(sp.Integral(written, *integral.limits), domain)
@@ -187,11 +191,17 @@ def _find_from_both_ends(integral: sp.Integral, domain: Domain) -> sp.Expr | Non
     running = integral.function.subs(variable, place)
     other = integral.function.subs(variable, lower + upper - variable)
     mean = sp.cancel(sp.together(integral.function + other)) / 2
-    if mean.as_independent(variable)[1].count_ops() >= integral.function.count_ops():
+    sizes = [_measure(f, variable) for f in (mean.as_independent(variable)[1], integral.function)]
+    if sizes[0] >= sizes[1]:
         return None
     if find_break(running, variable, domain.with_set(variable, run)) is not None:
         return None
     return _find_by_antiderivative(sp.Integral(mean, integral.limits[0]), domain)
+
+
+def _measure(function: sp.Expr, variable: sp.Symbol) -> int:
+    """Count the operations in a function, and how often its variable occurs."""
+    return int(function.count_ops()) + [*sp.preorder_traversal(function)].count(variable)
 
 
 def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
@@ -325,7 +335,8 @@ def _find_end(
             # The value is finite, so a limit would not help: too little is known of the other
             # letters.
             return None
-    return find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
+    limit = find_limit(candidate, variable, end, 1 if end == run.start else -1, domain)
+    return find_smooth(candidate, variable, end, domain) if limit is None else limit
 
 
 def _find_by_pieces(integral: sp.Integral, domain: Domain) -> sp.Expr | None:

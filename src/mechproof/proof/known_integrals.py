@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
+from mechproof.proof.integral_kinds import unwind
 from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.record import Slack
@@ -22,6 +23,7 @@ from mechproof.statement_domains.domain import Domain
 RUNG = "known integral"
 X = sp.Dummy("x", real=True)
 _A, _B, _C = (sp.Wild(name, exclude=(X, 0)) for name in "abc")
+_ANY = sp.Wild("a", exclude=(X,))
 # With whole exponents the integrals are elementary, and found without this table.
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
@@ -64,6 +66,7 @@ def _turn(
     return half, replace(half, limits=(sp.S.Zero, 2 * _PI), value=2 * value)
 
 
+_LENGTH = sp.sqrt(_A**2 - _B**2)
 _CIRCLE = 1 - 2 * _A * sp.cos(X) + _A**2
 _ROOT = sp.sqrt(_PI / _A) / 2
 _ZETA = sp.factorial(_N) * sp.zeta(_N + 1) / _A ** (_N + 1)
@@ -97,7 +100,7 @@ KNOWN = (
     *_turn(sp.log(_CIRCLE), 2 * _PI * sp.log(_A), _A - 1),
     *_turn(
         sp.log(_A + _B * sp.cos(X)),
-        _PI * sp.log((_A + sp.sqrt(_A**2 - _B**2)) / 2),
+        _PI * sp.log((_A + _LENGTH) / 2),
         *(_A, _A**2 - _B**2),
     ),
     *_turn(sp.cos(_COUNT * X) / _CIRCLE, _PI * _A**_COUNT / (1 - _A**2), 1 - _A**2),
@@ -106,6 +109,11 @@ KNOWN = (
         (0, 2 * _PI),
         2 * _PI / sp.sqrt(_A**2 - _B**2 - _C**2),
         (_A, _A**2 - _B**2 - _C**2),
+    ),
+    *_turn(
+        sp.cos(_COUNT * X) / (_A + _B * sp.cos(X)),
+        _PI / _LENGTH * ((_LENGTH - _A) / _B) ** _COUNT,
+        *(_A, _A**2 - _B**2),
     ),
     # Fresnel (3.691).
     _endless(sp.sin(_A * X**2), _ROOT / sp.sqrt(2), _A),
@@ -134,7 +142,9 @@ KNOWN = (
         sp.tan(X) ** _P, (0, _PI / 2), _PI / (2 * sp.cos(_PI * _P / 2)), (1 - _P, 1 + _P)
     ),
     _endless(X**_A / (1 + X), -_PI / sp.sin(_PI * _A), 1 + _A, -_A),
-    _endless(1 / (1 + X**_M), _PI / _M / sp.sin(_PI / _M), _M - 1),
+    _endless(
+        X**_ANY / (1 + X**_M), _PI / _M / sp.sin(_PI * (_ANY + 1) / _M), 1 + _ANY, _M - 1 - _ANY
+    ),
     _endless(X**_N / (sp.exp(_A * X) - 1), _ZETA, _A),
     _endless(X**_N / (sp.exp(_A * X) + 1), (1 - 2**-_N) * _ZETA, _A),
     _endless(X / sp.sinh(_A * X), _PI**2 / (4 * _A**2), _A),
@@ -186,6 +196,8 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
         return None if found is None else factor * (length * sp.log(scale) + found)
     values = (_find_by(row, integrand, domain) for row in _list_rows(integrand, limits))
     value = next((value for value in values if value is not None), None)
+    if value is None and length.is_finite and (turned := unwind(integral)) != integral:
+        return _find_value(turned, domain)
     if value is None and all(limit.is_finite for limit in limits) and length.free_symbols:
         value = _find_between_letters(integrand, limits, domain)
     return None if value is None else factor * value

@@ -1,7 +1,6 @@
-"""Antiderivatives that SymPy proposes, some rewritten without jumps; nothing is proved here.
+"""Antiderivatives that SymPy proposes, by one way after another; nothing is proved here.
 
-An antiderivative by tan(x/2) jumps at odd multiples of pi; its arctangent is written without a jump
-(Jeffrey 1993). A product of sines and cosines is written as a sum and integrated term by term.
+A product of sines and cosines is written as a sum and integrated term by term.
 """
 
 from __future__ import annotations
@@ -13,31 +12,42 @@ from typing import NamedTuple
 
 import sympy as sp
 from sympy.integrals.heurisch import heurisch
-from sympy.integrals.manualintegrate import manualintegrate
-from sympy.integrals.rationaltools import ratint, ratint_ratpart
 from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
+from mechproof.proof.angle_antiderivatives import (
+    TANGENT,
+    propose_by_cosine,
+    propose_by_half_angle,
+    propose_by_tangent,
+    propose_by_waves,
+)
 from mechproof.proof.exponential_antiderivatives import propose_by_exponentials, write_by_power
+from mechproof.proof.rule_antiderivatives import (
+    list_pieces,
+    propose_by_fractions,
+    propose_by_rules,
+    split_fraction,
+)
 from mechproof.proof.signs import is_positive
 from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
 
 # Work limit: the power of the variable by which sines and cosines are divided.
 _HIGHEST = 2
-_TANGENT = sp.Dummy("t", real=True)
 
 
 def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
-    """Propose antiderivatives; SymPy is told which parameters are positive, but decides nothing."""
-    told = {
-        s: sp.Symbol(s.name, positive=True)
-        for s in sorted(integrand.free_symbols - {variable}, key=str)
-        if is_positive(s, domain)
-    }
+    """Propose antiderivatives; SymPy is told which parameters are positive, but decides nothing.
+
+    An exponent above a number is that number and a positive one.
+    """
     if _is_beyond(integrand, variable):
         return
-    back = {positive: symbol for symbol, positive in told.items()}
+    least = {s: _find_least(s, integrand, domain) for s in integrand.free_symbols - {variable}}
+    names = {s: sp.Symbol(s.name, positive=True) for s, low in least.items() if low is not None}
+    told = {s: least[s] + positive for s, positive in names.items()}
+    back = {positive: s - least[s] for s, positive in names.items()}
     met: set[sp.Expr] = set()
     for known in dict.fromkeys((integrand.xreplace(told), integrand)):
         for proposed in _propose_any(known, variable):
@@ -45,6 +55,15 @@ def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator
                 if candidate not in met:
                     met.add(candidate)
                     yield candidate
+
+
+def _find_least(letter: sp.Symbol, integrand: sp.Expr, domain: Domain) -> sp.Expr | None:
+    """Return 0 for a positive letter, the number above which one in an exponent lies, or None."""
+    if is_positive(letter, domain):
+        return sp.S.Zero
+    start = getattr(domain.set_of(letter), "start", -sp.oo)
+    is_exponent = any(power.exp.has(letter) for power in integrand.atoms(sp.Pow))
+    return start if is_exponent and start.is_finite else None
 
 
 def _is_beyond(integrand: sp.Expr, variable: sp.Symbol) -> bool:
@@ -85,10 +104,7 @@ def _split_logarithm(integrand: sp.Expr, variable: sp.Symbol) -> _Parts | None:
     is_linear = slope != 0 and not slope.has(variable)
     if not is_linear or not fraction.is_rational_function(variable):
         return None
-    above, below = sp.fraction(sp.cancel(fraction))
-    whole, above = sp.div(above, below, variable)
-    part, rest = ratint_ratpart(above, below, variable)
-    whole = sp.Poly(whole, variable).integrate().as_expr() + part
+    whole, rest = split_fraction(fraction, variable)
     return _Parts(logarithm, whole, sp.cancel(rest * logarithm.args[0] / slope))
 
 
@@ -98,7 +114,7 @@ def _propose_by_logarithm(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[s
         return
     logarithm, whole, rest = parts
     left = sp.cancel(whole * sp.diff(logarithm, variable))
-    for found in _propose_by_fractions(left, variable) if left != 0 else [sp.S.Zero]:
+    for found in propose_by_fractions(left, variable) if left != 0 else [sp.S.Zero]:
         yield rest * logarithm**2 / 2 + whole * logarithm - found
 
 
@@ -119,11 +135,14 @@ def _propose_any(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     if integrand.free_symbols - {variable} and not integrand.xreplace(waves).has(variable):
         yield from _list_proposed(_propose_in_parallel, integrand, variable)
     # Fractions of the tangent of an angle are simpler than those of the tangent of its half.
-    by_others = (_propose_by_cosine, _propose_by_tangent, _propose_by_half_angle)
+    by_others = (propose_by_cosine, propose_by_tangent, propose_by_half_angle)
     # These come first, as SymPy tries its rules on some fractions for a long time.
-    at_first = (_propose_by_bell, _propose_by_fractions, _propose_by_logarithm, _propose_by_roots)
+    at_first = (
+        *(_propose_by_bell, propose_by_fractions, _propose_by_logarithm),
+        *(_propose_by_roots, propose_by_waves),
+    )
     by_exponentials = (propose_by_exponentials, _propose_by_power)
-    ways = (*at_first, *by_exponentials, _propose_by_rules, *by_others, _propose_in_parallel)
+    ways = (*at_first, *by_exponentials, propose_by_rules, *by_others, _propose_in_parallel)
     for propose in ways:
         yield from _list_proposed(propose, integrand, variable)
 
@@ -140,19 +159,6 @@ def _list_proposed(
     with suppress(PolynomialError, NotImplementedError):
         found += propose(integrand, variable)
     return tuple(found)
-
-
-def _propose_by_rules(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by SymPy's rules, which are those of integration by hand."""
-    found = _close(manualintegrate(integrand, variable), sp.Integral(integrand, variable))
-    if not found.has(sp.Integral):
-        yield from _list_pieces(found)
-
-
-def _close(found: sp.Expr, whole: sp.Integral) -> sp.Expr:
-    """Solve an integral by parts that has led back to itself: I = A + c*I."""
-    around = sp.expand(found).coeff(whole)
-    return (found - around * whole).expand() / (1 - around) if around not in (0, 1) else found
 
 
 def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
@@ -176,91 +182,23 @@ def _propose_by_roots(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Ex
             other = (above / sp.sqrt(sp.expand(above * below))) ** (2 * root.exp)
             written = written.xreplace({root: other})
     if written != integrand:
-        yield from _propose_by_rules(sp.expand(written), variable)
-
-
-def _propose_by_cosine(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by t = cos x an integrand with one factor sin x, and the other way round."""
-    t, s = _TANGENT, sp.Dummy("s")
-    for one, other, sign in ((sp.cos, sp.sin, -1), (sp.sin, sp.cos, 1)):
-        written = integrand.xreplace({one(variable): t, other(variable): s})
-        rest = sp.cancel(sp.together(written / s).subs(s**2, 1 - t**2))
-        if not rest.has(s, variable):
-            found = _propose_by_rules(sp.apart(rest, t), t)
-            yield from (sign * candidate.subs(t, one(variable)) for candidate in found)
-
-
-def _propose_by_half_angle(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a rational function of the variable's sine and cosine by t = tan(x/2).
-
-    With sines, x is also counted from a quarter turn: for a + b*sin(x) the angle then stays small.
-    """
-    t = _TANGENT
-    circle = {sp.sin(variable): 2 * t / (1 + t**2), sp.cos(variable): (1 - t**2) / (1 + t**2)}
-    for shift in (sp.S.Zero, sp.pi / 2) if integrand.has(sp.sin) else (sp.S.Zero,):
-        turned = sp.expand_trig(integrand.subs(variable, variable + shift))
-        rational = turned.xreplace(circle) * 2 / (1 + t**2)
-        for found in _propose_by_slope(rational, variable, variable):
-            yield found.subs(variable, variable - shift)
-
-
-def _propose_by_tangent(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate by t = tan x an integrand of period pi."""
-    t, c, s = _TANGENT, sp.Dummy("c"), sp.Dummy("s")
-    written = sp.expand_trig(integrand).xreplace({sp.sin(variable): s, sp.cos(variable): c})
-    tangent = sp.cancel(sp.together(written.subs(s, t * c)))
-    above, below = (sp.Poly(part, c) for part in sp.fraction(tangent))
-    powers = [m[0] for polynomial in (above, below) for m in polynomial.monoms()]
-    if any((power - powers[0]) % 2 for power in powers):
-        return
-    rational = tangent.subs(c, 1 / sp.sqrt(1 + t**2)) / (1 + t**2)
-    yield from _propose_by_slope(rational, 2 * variable, variable)
-
-
-def _propose_by_slope(rational: sp.Expr, double: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a rational function of t, the tangent of half an angle."""
-    t = _TANGENT
-    rational = sp.together(rational)
-    if rational.has(variable):
-        return
-    whole, rest = ratint_ratpart(*sp.fraction(sp.cancel(rational)), t)
-    for found in _propose_by_rules(sp.apart(rest, t), t):
-        turned = found.replace(sp.atan, lambda slope: _turn(slope, double))
-        turned = turned.subs(t, sp.sin(double) / (1 + sp.cos(double)))
-        yield _turn_fraction(whole, double) + turned
-
-
-def _propose_by_fractions(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
-    """Integrate a quotient of polynomials by its partial fractions, or its quadratic factors.
-
-    The rational part of the integral needs no rules (Horowitz 1971), which take long.
-    """
-    if not integrand.is_rational_function(variable):
-        return
-    if integrand.free_symbols == {variable}:
-        yield ratint(integrand, variable, real=True)
-    above, below = sp.fraction(sp.cancel(integrand))
-    whole, above = sp.div(above, below, variable)
-    part, rest = ratint_ratpart(above, below, variable)
-    for found in _propose_by_rules(sp.apart(rest, variable), variable):
-        yield sp.Poly(whole, variable).integrate().as_expr() + part + found
+        yield from propose_by_rules(sp.expand(written), variable)
 
 
 def _propose_by_power(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate a rational function of an exponential as a fraction of that."""
-    if (written := write_by_power(integrand, variable, _TANGENT)) is not None:
+    if (written := write_by_power(integrand, variable, TANGENT)) is not None:
         rational, exponential = written
-        for found in _propose_by_fractions(rational, _TANGENT):
-            yield found.subs(_TANGENT, exponential)
+        for found in propose_by_fractions(rational, TANGENT):
+            yield found.subs(TANGENT, exponential)
 
 
 def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Expr]:
     """Integrate by the integrand's own parts with unknown factors (Bronstein 2005).
 
-    An error function is added for each exponential of a square, and a sine integral for each wave
-    divided by the variable. Skipped because they take long: functions divided by or raised to
-    letters, waves divided by high powers, roots of functions, and roots other than square roots
-    next to functions.
+    An error function is added for each exponential of a square. Skipped because they take long:
+    functions divided by or raised to letters, waves divided by powers, roots of functions, and
+    roots other than square roots next to functions.
     """
     below = sp.fraction(sp.together(integrand))[1]
     functions = {node for node in below.atoms(sp.Function) if not isinstance(node, sp.exp)}
@@ -270,21 +208,17 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
     if integrand.has(sp.Function) and not all((2 * power.exp).is_integer for power in powers):
         return
     written = TR8(integrand) if integrand.has(sp.sin, sp.cos) else integrand
-    waves = written.atoms(sp.sin, sp.cos)
-    if waves and below.has(variable) and sp.degree(below, variable) > _HIGHEST:
+    if written.has(sp.sin, sp.cos) and below.has(variable):
         return
     whole = sp.S.Zero
     for part in _part_by_functions(sp.expand(written), variable):
         slopes = [-node.args[0] / variable**2 for node in part.atoms(sp.exp)]
         hints = [sp.erf(sp.sqrt(a) * variable) for a in slopes if not a.has(variable)]
-        if below.has(variable):
-            waves = part.atoms(sp.sin, sp.cos)
-            hints += [sp.Si(wave.args[0]) for wave in sorted(waves, key=sp.default_sort_key)]
         found = heurisch(part, variable, hints=hints)
         if found is None or found.has(sp.Integral):
             return
         whole += found
-    yield from _list_pieces(whole)
+    yield from list_pieces(whole)
 
 
 def _is_tried(power: sp.Pow) -> bool:
@@ -301,39 +235,3 @@ def _part_by_functions(integrand: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]
         functions = {f for f in term.atoms(sp.exp, sp.sin, sp.cos) if f.has(variable)}
         terms.setdefault(frozenset(f.args[0] for f in functions), []).append(term)
     return [sp.Add(*group) for group in terms.values()]
-
-
-def _list_pieces(candidate: sp.Expr) -> Iterator[sp.Expr]:
-    """List SymPy's proposals for every case, such as one sign of a parameter and the other."""
-    node = min(candidate.atoms(sp.Piecewise), key=sp.default_sort_key, default=None)
-    if node is None:
-        yield candidate
-        return
-    for value, _ in node.args:
-        yield from _list_pieces(candidate.xreplace({node: value}))
-
-
-def _turn_fraction(fraction: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """Write a fraction of t = tan(angle/2) by sine and cosine, without a pole of t."""
-    c, s = sp.symbols("c s", cls=sp.Dummy)
-    square = (1 - c) / (1 + c)
-    above, below = (
-        sum(
-            factor * square ** (power // 2) * (s / (1 + c)) ** (power % 2)
-            for (power,), factor in sp.Poly(part, _TANGENT).terms()
-        )
-        for part in sp.fraction(fraction)
-    )
-    return sp.cancel(above / below).xreplace({c: sp.cos(angle), s: sp.sin(angle)})
-
-
-def _turn(slope: sp.Expr, variable: sp.Expr) -> sp.Expr:
-    """Write atan(a*t + b), t = tan(x/2), as x/2 plus an angle that does not jump."""
-    slope = sp.expand(slope)
-    a, b = slope.coeff(_TANGENT, 1), slope.coeff(_TANGENT, 0)
-    if slope != sp.expand(a * _TANGENT + b):
-        return sp.atan(slope)
-    sine, cosine = sp.sin(variable), sp.cos(variable)
-    across = (a - 1) * sine + b * (1 + cosine)
-    along = (1 + cosine) + a * (1 - cosine) + b * sine
-    return variable / 2 + sp.atan(across / along)
