@@ -198,6 +198,7 @@ TIED = [
     (r"\frac1p+\frac1q=1", "(p-1)(q-1)=%s", "1", "2"),
     (r"\frac1f=\frac1a+\frac1b", r"f=\frac{ab}{%s}", "a+b", "a-b"),
     (r"\frac2x+y=3", r"x\ne%s", "0", "1"),
+    (r"\frac a{\sin A}=\frac b{\sin B}", r"a\sin B=%s", r"b\sin A", r"b\cos A"),
     (r"A+B+C=\pi", r"\sin(A+B)=%s", r"\sin C", r"\cos C"),
     ("x+y=c", r"\dot y=%s", r"-\dot x", r"\dot x"),
     ("x+y=c", r"\dot x%s\dot y=0", "+", "-"),
@@ -210,7 +211,14 @@ def test_an_equation_gives_a_letter(where: str, latex: str, true: str, wrong: st
     assert judge(latex % wrong, where).verdict == "REFUTED"
 
 
+def test_a_letter_may_have_a_nonzero_factor() -> None:
+    assert judge(r"w=\frac{Av}B", "Av=Bw", "B>0").verdict == "PROVED"
+    assert judge(r"w=\frac{Bv}A", "Av=Bw", "A>0", "B<0").verdict == "REFUTED"
+
+
 def test_an_equation_that_gives_no_letter_is_refused() -> None:
+    with pytest.raises(ValueError, match="it cannot be solved for a letter"):
+        judge(r"w=\frac{Av}B", "Av=Bw")
     with pytest.raises(ValueError, match="it cannot be solved for a letter"):
         judge("x=y", "x^2=y^2")
     with pytest.raises(ValueError, match="c would depend on what others depend on"):

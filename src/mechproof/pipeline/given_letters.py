@@ -15,7 +15,7 @@ from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.said_relations import read_relations
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.pipeline.moving_letters import Moving, find_moving, find_rates
-from mechproof.record import Variable
+from mechproof.record import ValueWhere, Variable
 from mechproof.record.unit_notation import is_unit
 
 # Matches a number with what may be its unit after a blank.
@@ -57,7 +57,8 @@ def solve_equation(
     r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
     It is alone on a side, or it or its reciprocal has only a number as factor, or its range makes
-    it an inverse sine, cosine or tangent. Of several, those that depend on other letters come
+    it an inverse sine, cosine or tangent, or its factor is said to be nonzero, or to divide it, as
+    in a/\sin\alpha=b/\sin\beta. Of several, those that depend on other letters come
     first, then those alone on a side, then the last by name.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
@@ -70,6 +71,10 @@ def solve_equation(
         if factor.is_number and factor != 0:
             alone.append((letter, sp.expand(letter - sum_of_it / factor) ** power))
     alone = alone or [*_invert(equation, letters, said)]
+    for letter in () if alone else letters[::-1]:
+        factor = sp.together(rest.diff(letter))
+        if not factor.has(letter) and _is_never_zero(sp.numer(factor), said):
+            alone.append((letter, ValueWhere(sp.expand(letter - rest / factor), factor)))
     if not alone:
         raise ValueError(
             f"--where {equation.lhs}={equation.rhs}: it cannot be solved for a letter: "
@@ -108,6 +113,13 @@ def _invert(
         run = sp.imageset(letter, rate * letter, sp.Intersection(*own)) if own else sp.S.Reals
         if run.is_subset(values):
             yield letter, inverse(other / factor) / rate
+
+
+def _is_never_zero(factor: sp.Expr, said: Sequence[sp.Basic]) -> bool:
+    """Return whether all factors are nonzero, by themselves or by what is said of them."""
+    own = [(*one.free_symbols, one.as_set()) for one in said if len(one.free_symbols) == 1]
+    nonzero = {letter for letter, values in own if 0 not in values}
+    return all(x.is_nonzero or x in nonzero for x in sp.Mul.make_args(factor))
 
 
 def give_values(
