@@ -8,6 +8,7 @@ from mechproof.pipeline.pasted import judge_pasted
 from mechproof.pipeline.pasted_letters import Pasted
 from mechproof.proof.verdict import Verdict
 
+TRIANGLE = (r"A+B+C=\pi", "A>0", "B>0", "C>0")
 # A print with a place for a part, the true part, a wrong one, and the conditions stated.
 PAIRS = [
     (r"\tanh(\ln x)=\frac{x^2-1}{%s}", "x^2+1", "x^2+2", ("x>0",)),
@@ -87,6 +88,17 @@ PAIRS = [
         ("x>0",),
     ),
     (r"\frac d{dt}\operatorname{atan2}(\sin t,\cos t)=%s", "1", "-1", (r"-\pi<t<\pi",)),
+    # The angles of a triangle, and exponents that add up.
+    (r"\sin A+\sin B+\sin C\le%s", r"\frac{3\sqrt3}2", r"\frac52", TRIANGLE),
+    (r"\sin A\sin B\sin C\le%s", r"\frac{3\sqrt3}8", r"\frac58", TRIANGLE),
+    (r"\cos A\cos B\cos C\le%s", r"\frac18", r"\frac19", TRIANGLE),
+    (r"\cos A+\cos B+\cos C>%s", "1", r"\frac{11}{10}", TRIANGLE),
+    (
+        r"xy\le\frac{x^p}%s",
+        r"p+\frac{y^q}q",
+        r"q+\frac{y^q}p",
+        ("x>0", "y>0", "p>1", r"\frac1p+\frac1q=1"),
+    ),
     # A cosine series is even; beyond its period it has other values.
     (
         r"\sum_{n=1}^\infty\frac{\cos(2n-1)x}{(2n-1)^2}=\frac{\pi^2}8-\frac\pi4%s",
@@ -103,6 +115,10 @@ PAIRS = [
 ]
 # Prints with the conditions stated, under which they are not true everywhere.
 WRONG = [
+    (r"\cos A+\cos B+\cos C>1", (r"A+B+C=\pi", r"A\ge0", r"B\ge0", r"C\ge0")),
+    (r"\sin A+\sin B>\sin(A+B)", (r"A+B\le\pi", r"A\ge0", r"B\ge0")),
+    (r"\sin A+\sin B\ge\sin(A-B)+1", (r"A+B\le\pi", "A>0", "B>0")),
+    (r"xy<\frac{x^p}p+\frac{y^q}q", ("x>0", "y>0", "p>1", r"\frac1p+\frac1q=1")),
     (r"\lim_{n\to\infty}(a^n+b^n)^{1/n}=a", ("a>0", "b>0")),
     (r"\frac{\partial}{\partial y}\operatorname{atan2}(y,x)=\frac x{x^2+y^2}", ("x<0",)),
     (r"\frac d{dt}\operatorname{atan2}(\sin t,\cos t)=1", ()),

@@ -9,6 +9,7 @@ from twins import judge
 
 from mechproof.document.constraints.consequences import MULTIPLE
 from mechproof.proof import (
+    angle_differences,
     any_functions,
     binomial_squares,
     continuity,
@@ -84,6 +85,7 @@ NAMED += [
     convergence.RUNG,
     inequalities.SIGNS,
     inequalities.MEAN_VALUE,
+    angle_differences.RUNG,
 ]
 
 

@@ -21,7 +21,7 @@ from itertools import combinations, permutations, product
 import sympy as sp
 
 from mechproof.arithmetic.polynomials import expand, split
-from mechproof.proof import binomial_squares, monotonicity
+from mechproof.proof import angle_differences, binomial_squares, monotonicity
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import list_by_values
 from mechproof.proof.half_angles import find_sign_there, is_negative_somewhere, is_shown_there
@@ -55,6 +55,7 @@ def show_sign(slack: Slack, domain: Domain) -> str | None:
         return None
     rungs = (
         (HALF_ANGLES, is_shown_there),
+        (angle_differences.RUNG, partial(angle_differences.holds_at_ends, show=show_sign)),
         (SIGNS, holds_by_signs),
         (MEAN_VALUE, partial(holds_by_mean_value, show=show_sign)),
         (ORDERS, _by_orders),

@@ -147,7 +147,11 @@ def _list_powers(product: sp.Expr) -> list[tuple[sp.Expr, sp.Expr]]:
 def _write_exponential(exponent: sp.Expr) -> sp.Expr:
     """Write the exponential of a sum as a product, whole multiples of logarithms as powers."""
     if any(power.exp.is_negative for power in exponent.atoms(sp.Pow)):
-        exponent = sp.cancel(exponent)
+        above, below = sp.fraction(sp.cancel(exponent))
+        letter = min(below.free_symbols, key=str, default=None)
+        is_divided = letter is not None and all(x.is_polynomial(letter) for x in (above, below))
+        whole, rest = sp.div(above, below, letter) if is_divided else (sp.S.Zero, above)
+        exponent = whole + rest / below
     return sp.Mul(*(sp.exp(term) for term in sp.Add.make_args(sp.expand(exponent))))
 
 

@@ -60,6 +60,8 @@ RUNGS = {
     "squares are those that are not negative, is a sum of squares of one or two terms",
     "signs in half-angle tangents": "an inequality in the tangents of half angles and in "
     "exponentials, on the intervals in which these lie",
+    "difference of two angles": "an inequality of two angles with a bounded sum: it is "
+    "linear in the cosine of their difference, and holds at both ends of its range",
     "every order of the numbers": "an inequality, by the coefficients for every order of the "
     "numbers, each written as the one below and a gap",
     "gaps of linear relations": "an inequality, with the numbers written by the gaps of relations "
