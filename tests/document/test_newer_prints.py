@@ -71,6 +71,17 @@ PAPERS: dict[str, tuple[tuple[str, ...], str]] = {
     "what any of the prints refutes": ((*SPRUNG, r"k=\frac Fx=\frac{2G}l"), "REFUTED"),
     "what says zero beside a definition": (SPRUNG[:3], OPEN),
     "what says it without new words": ((SPRUNG[0], SPRUNG[2]), "REFUTED"),
+    "a derivative beside a newer print of another letter": (
+        (
+            r"b=r_1\sin\varphi",
+            "#Its motion is given by",
+            r"\dot\varphi=\omega_1\sin\varphi+\omega_2\frac b{r_1}",
+            "#Para o sistema temos agora",
+            r"b=r_1\varphi",
+            r"\dot\varphi=\omega_1\varphi+\omega_2\frac b{r_1}",
+        ),
+        OPEN,
+    ),
     "hence, with the newer print": ((*PARALLEL, *SERIES, "#Hence", IN_SERIES), "PROVED"),
     "hence, with the first print": ((*PARALLEL, *SERIES, "#Hence", IN_PARALLEL), OPEN),
     "new words, with the newer print": (

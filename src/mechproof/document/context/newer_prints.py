@@ -31,7 +31,6 @@ from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality, list_given
 from mechproof.record.statements import list_parts
-from mechproof.sources.announcements import Announced
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
 # Work limit: number of newer prints up to which all combinations are tried.
@@ -145,7 +144,7 @@ def _choose(
     last, said = newer[-1].said, task.said
     goes_on = not said.is_new or said.passage == last.passage
     is_proof = found is not None and found.verdict is Verdict.PROVED and goes_on
-    if found and (is_proof or _is_convicted(task, row, found, last)):
+    if found and (is_proof or _is_convicted(task, row, found, newer[-1])):
         return replace(found, reason=f"{found.reason}, by {names}")
     if row.judgement is None:
         return None
@@ -154,12 +153,17 @@ def _choose(
     return f"{first} with the first definition of what {names} {redefine}: which one is meant?"
 
 
-def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Announced) -> bool:
-    """Return whether a derivative is refuted by a print just before it that is of the same case."""
+def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Task) -> bool:
+    """Return whether a derivative is refuted by a print just before it that is of the same case.
+
+    It must be a print of what it is the derivative of: one of other letters leaves it as open as
+    the first print does.
+    """
+    said, own = last.said, task.sign.letter in last.anew
     is_open = row.judgement is None and found.verdict is Verdict.REFUTED
-    is_beside = task.said.is_clause or not task.said.is_new or task.said.passage == last.passage
-    is_rate = task.sign.role is Role.DERIVATIVE
-    return is_open and is_rate and is_beside and not last.is_apart(task.said)
+    is_beside = task.said.is_clause or not task.said.is_new or task.said.passage == said.passage
+    is_rate = task.sign.role is Role.DERIVATIVE and own
+    return is_open and is_rate and is_beside and not said.is_apart(task.said)
 
 
 def doubt_by_cases(at: Judging) -> Changes:
