@@ -56,11 +56,11 @@ def find_combination(
 
     None if not found. The multipliers' divisors have no zero where the residual has a value.
     """
-    if numbers := _add_up(residual, constraints):
-        return numbers
     total = residual.count_ops() + sum(one.count_ops() for one in constraints)
     if total > LARGEST:
         return None
+    if numbers := _add_up(residual, constraints):
+        return numbers
     tangents = _name_tangents((residual, *constraints))
     found = _find_multipliers(residual, constraints, {}, domain)
     if found is None and tangents:
