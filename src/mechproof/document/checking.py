@@ -20,6 +20,7 @@ from mechproof.document.context.constrained_rows import (
 from mechproof.document.context.doubted_letters import (
     EITHER,
     doubt_by_examples,
+    doubt_by_frames,
     doubt_by_lengths,
     doubt_by_letters,
     doubt_by_matrices,
@@ -195,7 +196,13 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
         rows |= misprints
         for doubt in (
             *(doubt_by_proved, doubt_by_indices, doubt_by_decimals, doubt_by_rounded),
-            *(doubt_by_rates, doubt_by_factors, doubt_by_lengths, doubt_conditions),
+            *(
+                doubt_by_rates,
+                doubt_by_factors,
+                doubt_by_lengths,
+                doubt_by_frames,
+                doubt_conditions,
+            ),
         ):
             rows |= dict(doubt(at))
         unlike = dict(find_other_solutions(at))

@@ -7,7 +7,7 @@ are printed one by one.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import chain
@@ -15,8 +15,9 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.document.law_pieces import LawPiece, order_pieces
 from mechproof.latex.matrix_meaning import is_matrix
-from mechproof.latex.values import differentiate, find_end, is_lower, list_reached, settle_all
+from mechproof.latex.values import differentiate, list_reached, settle_all
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.sources.announcements import NOTHING, Announced
 
@@ -27,7 +28,6 @@ CHAIN_RULE = "the chain rule"
 BLOCK = "the block of letters"
 # Matrices, each with its value and the name of the equation that prints it.
 Later = dict[sp.Basic, tuple[sp.MatrixBase, str]]
-_CLOSED = (sp.Le, sp.Ge)
 
 
 @dataclass
@@ -150,8 +150,7 @@ class Known:
             if rate in self.values:
                 break
             try:
-                value = self._show_moving(self.values[above], by)
-                derivative = differentiate(value, by, self.symbols.moving)
+                derivative = self._differentiate(self._show_moving(self.values[above], by), by)
             except ValueError:
                 # Its letters have no symbols for derivatives of so high an order.
                 break
@@ -199,9 +198,22 @@ class Known:
         fixed = {s: self.settle(v, moving) for s, v in self.values.items() if s not in moving}
         return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
+    def _differentiate(self, value: Any, by: sp.Basic) -> Any:
+        """Return a derivative; raises `ValueError` for one that is not known.
+
+        So is that of a matrix with entries that are not known, or of which none is known to move.
+        """
+        if not is_matrix(value):
+            return differentiate(value, by, self.symbols.moving)
+        value = self.settle(value)
+        derivative = value if _list_open(value) else differentiate(value, by, self.symbols.moving)
+        if _list_open(value) or derivative.is_zero_matrix:
+            raise ValueError(f"nothing is known about how {value} moves")
+        return derivative
+
     def join_pieces(self) -> dict[sp.Basic, list[LawPiece]]:
         """Return the laws that pieces form, for letters that have no other value."""
-        ordered = {letter: _order_pieces(pieces) for letter, pieces in self.pieces.items()}
+        ordered = {letter: order_pieces(pieces) for letter, pieces in self.pieces.items()}
         return {s: pieces for s, pieces in ordered.items() if pieces and s not in self.values}
 
     def define_laws(self, laws: Mapping[sp.Basic, list[LawPiece]]) -> None:
@@ -228,7 +240,7 @@ class Known:
         for name, value in (*self.others.get(letter, ()), *self.cases.get(letter, ())):
             with suppress(ValueError):
                 for _ in range(order):
-                    value = differentiate(self.settle(value, {letter}), by, self.symbols.moving)
+                    value = self._differentiate(self.settle(value, {letter}), by)
                 yield name, value
 
 
@@ -273,73 +285,3 @@ def define_now(name: str, symbol: sp.Basic, value: Any, known: Known) -> bool:
 def _list_open(value: Any) -> set[sp.Basic]:
     """Return the matrix symbols in a matrix."""
     return value.atoms(sp.MatrixSymbol) if is_matrix(value) else set()
-
-
-@dataclass(frozen=True)
-class LawPiece:
-    """The value of a letter in a range of another one, `by`, with the name of its equation.
-
-    `low` or `high` is None if the range has no such end.
-    """
-
-    name: str
-    value: Any
-    by: sp.Basic
-    where: tuple[sp.Basic, ...]
-    low: sp.Expr | None
-    high: sp.Expr | None
-    is_closed: tuple[bool, bool]
-
-    @property
-    def range(self) -> tuple[sp.Expr | None, sp.Expr | None]:
-        """Return the ends of the range, expanded so that they can be compared."""
-        low, high = (None if x is None else sp.expand(x) for x in (self.low, self.high))
-        return low, high
-
-
-def read_piece(
-    name: str, value: Any, relations: Sequence[sp.Basic], by: sp.Basic
-) -> LawPiece | None:
-    """Return the piece that relations select, or None if they say more than a range."""
-    ends: dict[bool, tuple[sp.Expr, bool]] = {}
-    where = tuple(part for one in relations for part in _open_modulus(one, by))
-    for relation in where:
-        if not isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge):
-            return None
-        end, lower = find_end(relation, by), is_lower(relation, by)
-        if end is None or lower in ends:
-            return None
-        ends[lower] = (end, isinstance(relation, _CLOSED))
-    low, high = (ends.get(lower, (None, False)) for lower in (True, False))
-    closed = low[1], high[1]
-    return LawPiece(name, value, by, where, low[0], high[0], closed) if ends else None
-
-
-def _open_modulus(relation: sp.Basic, by: sp.Basic) -> tuple[sp.Basic, ...]:
-    """Write |x| <= a, where x is the letter of a range, as the two relations it stands for."""
-    is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge)
-    if not is_order or relation.lts != sp.Abs(by):
-        return (relation,)
-    order = sp.Le if isinstance(relation, _CLOSED) else sp.Lt
-    return order(by, relation.gts), order(-relation.gts, by)
-
-
-def _order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:
-    """Return pieces in an order in which each begins where the last one ends, or none.
-
-    Of pieces with the same range the first is used. All ranges must be of the same letter.
-    """
-    ranges: dict[Any, LawPiece] = {}
-    if any(piece.by != pieces[0].by for piece in pieces):
-        return []
-    for piece in pieces:
-        ranges.setdefault(piece.range, piece)
-    starts = {low: piece for (low, _), piece in ranges.items()}
-    ends = {high for _, high in ranges}
-    first = [piece for (low, _), piece in ranges.items() if low is None or low not in ends]
-    if len(starts) < len(ranges) or len(ends) < len(ranges) or len(first) != 1:
-        return []
-    found = first[:1]
-    while found[-1].high is not None and (following := starts.get(found[-1].range[1])):
-        found.append(following)
-    return found if len(found) == len(ranges) else []

@@ -10,7 +10,9 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from mechproof.document.known import Known, define_now, read_piece
+from mechproof.document.known import Known, define_now
+from mechproof.document.law_pieces import read_piece
+from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import tree
 from mechproof.latex.matrix_meaning import is_matrix
@@ -86,6 +88,8 @@ def find_role_of_letter(one: LetterAlone, known: Known) -> Sign:
         return found
     if define_now(one.name, symbol, value, known):
         return Sign(Role.DEFINITION, symbol, one.name)
+    if _states_motion(one, known):
+        return one.to_sign(Role.CONSTRAINT)
     if symbol in known.values:
         return one.to_sign(compare_with_known(symbol, known), known.printed[symbol])
     if one.is_matrix:
@@ -112,6 +116,20 @@ def _find_role_of_new(one: LetterAlone, known: Known) -> Sign | None:
     if not one.value.has(FunctionWithoutArgument, IntegralWithoutDifferential):
         known.define(one.symbol, one.value, one.name)
     return Sign(Role.DEFINITION, one.symbol, one.name)
+
+
+def _states_motion(one: LetterAlone, known: Known) -> bool:
+    r"""Return whether a print says how a vector moves: \dot x=Ax, where x=(q,\dot q).
+
+    Then all entries in which it differs from the derivative are derivatives of single letters.
+    """
+    if not (one.is_matrix and known.is_derived(one.symbol)):
+        return False
+    derived = known.settle(known.values[one.symbol])
+    printed = write_out(known.settle(one.value))
+    is_shown = isinstance(printed, sp.MatrixBase) and printed.shape == derived.shape
+    differing = [a for n, a in enumerate(derived) if not (is_shown and a == printed[n])]
+    return bool(differing) and all(entry.is_Symbol for entry in differing)
 
 
 def _is_piece(one: LetterAlone, known: Known) -> bool:

@@ -46,6 +46,8 @@ def give_values(text: str, known: Known) -> None:
         if not (isinstance(relation, sp.Equality) and is_letter):
             raise ValueError(f"let: {text}: a value is written letter=expression")
         symbol, value = relation.args
+        if known.is_derived(symbol) and known.settle(value) == known.settle(symbol):
+            continue
         if symbol in known.values or symbol in known.settle(value).free_symbols:
             raise ValueError(f"let: {text}: it already has a value, or is defined by itself")
         if symbol.is_integer and not known.settle(value).is_integer:

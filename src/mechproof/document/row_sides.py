@@ -56,8 +56,12 @@ def write_out(side: Any) -> Any:
     return side.doit() if isinstance(side, sp.MatrixExpr) else side
 
 
-def have_same_letters(sides: Sequence[Any]) -> bool:
-    """Return whether both sides are functions of the same letters."""
+def have_same_letters(sides: Sequence[Any], *, by_entry: bool = False) -> bool:
+    """Return whether both sides are functions of the same letters, or all entries that differ."""
+    shown = [*map(write_out, sides)] if by_entry else []
+    if shown and all(isinstance(side, sp.MatrixBase) for side in shown):
+        pairs = zip(*shown, strict=False)
+        return all(one == other or have_same_letters((one, other)) for one, other in pairs)
     one, other = map(_list_letters, sides)
     return bool(one == other)
 

@@ -20,7 +20,8 @@ from mechproof.document.double_signs import (
     is_complex,
 )
 from mechproof.document.example_values import collect_values, lend_values
-from mechproof.document.known import CHAIN_RULE, Known, Later, LawPiece, define_later, find_later
+from mechproof.document.known import CHAIN_RULE, Known, Later, define_later, find_later
+from mechproof.document.law_pieces import LawPiece
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
 from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
 from mechproof.document.numbers.size_tables import SizeTables

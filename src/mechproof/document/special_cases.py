@@ -13,7 +13,8 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from mechproof.document.known import Known, read_piece
+from mechproof.document.known import Known
+from mechproof.document.law_pieces import read_piece
 from mechproof.document.tasks import Role, Sign, Task
 from mechproof.latex.values import differentiate, find_end, has_value, list_ends, list_outer_ends
 from mechproof.nomenclature.said_relations import narrow

@@ -336,12 +336,12 @@ class TaskMaker:
         if is_listed(printed, self.block.constraints):
             return False
         if sign.role in CONSTRAINING:
-            words = printed.announced
             is_meant = gives_entries(sides, sign.worked_out) and have_same_letters(sides)
-            return is_meant and (words.is_general or not words.is_case)
+            return is_meant and (printed.announced.is_general or not printed.announced.is_case)
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        return have_same_letters(sides) and not ties_letters(sides, sign.worked_out)
+        are_alike = have_same_letters(sides, by_entry=sign.role is Role.DERIVATIVE)
+        return are_alike and not ties_letters(sides, sign.worked_out)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether a constraint between two compound sides may be a wrong identity."""

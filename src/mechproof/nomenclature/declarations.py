@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import product
@@ -83,6 +83,7 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     plain = [v for v in variables if not isinstance(v.symbol, sp.IndexedBase)]
     symbols = {name: v.symbol for v in plain for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
+    matrices = dict(_find_matrix_rates(letters, symbols))
     factors = (*block.factors, *block.natural)
     phases = frozenset(_find_phases(variables, {by for by, _ in moving.values()}, bare))
     dimensions = {v.symbol: v.dimension for v in variables if v.symbol not in bare}
@@ -111,7 +112,12 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     scaled = {symbol: known[symbol] * weight for symbol, weight in weights.items()}
     notation = replace(notation, units=scaled)
     found = Symbols(
-        tuple(variables), notation, bare=frozenset(bare), scales=known, faults=tuple(faults)
+        tuple(variables),
+        notation,
+        bare=frozenset(bare),
+        scales=known,
+        faults=tuple(faults),
+        matrices=matrices,
     )
     return _say(found, block)
 
@@ -206,6 +212,23 @@ def _make(
             units[order].dimension,
             latex=tuple(p for rate in rates for p in (rate, f"{rate}({letter.running})")),
         )
+
+
+def _find_matrix_rates(
+    letters: Sequence[Declared], symbols: Mapping[str, sp.Basic]
+) -> Iterator[tuple[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]]:
+    r"""Yield matrices with time and their derivatives by it, which have lines of their own."""
+    shaped = {name_symbol(name): x for x in letters if x.shape for name in x.names}
+    for letter in letters if TIME in symbols else ():
+        found = []
+        for order in ORDERS:
+            names = map(name_symbol, print_rate(letter.names[0], TIME, order))
+            rate = next((shaped[name] for name in names if name in shaped), None)
+            if rate is None or rate.shape != letter.shape:
+                break
+            found.append(symbols[rate.names[0]])
+        if found:
+            yield symbols[letter.names[0]], (symbols[TIME], tuple(found))
 
 
 def _find_phases(

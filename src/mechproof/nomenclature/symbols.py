@@ -33,7 +33,8 @@ class Symbols:
     """The letters of a paper.
 
     `bare` are the symbols without a declared unit; `scales` are the sizes of the declared units.
-    `faults` report names that no print can have, with the places of their declarations.
+    `faults` report names that no print can have, with the places of their declarations. `matrices`
+    has the matrices whose time derivatives are declared, with time and these.
     """
 
     variables: tuple[Variable, ...]
@@ -43,6 +44,7 @@ class Symbols:
     bare: frozenset[sp.Basic] = frozenset()
     scales: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
     faults: tuple[tuple[Place | None, str], ...] = ()
+    matrices: Moving = field(default_factory=dict)
 
     @property
     def moving(self) -> Moving:
@@ -81,7 +83,8 @@ class Symbols:
         The symbol may be any of these; one that depends on nothing is returned alone, as its own
         variable.
         """
-        all_steps = ((by, (letter, *rates)) for letter, (by, rates) in self.moving.items())
+        moving = {**self.moving, **self.matrices}
+        all_steps = ((by, (letter, *rates)) for letter, (by, rates) in moving.items())
         return next((one for one in all_steps if symbol in one[1]), (symbol, (symbol,)))
 
     def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:

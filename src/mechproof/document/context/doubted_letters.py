@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -37,6 +38,7 @@ from mechproof.document.row_sides import write_out
 from mechproof.document.tasks import CONSTRAINING, Role, Task
 from mechproof.nomenclature.shown_letters import is_vector
 from mechproof.nomenclature.symbols import Symbols
+from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
 from mechproof.statement_domains.domain import Domain
@@ -181,6 +183,37 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
                 f"{letter} : number"
             )
             yield n, make_row(task, reason)
+
+
+def doubt_by_frames(at: Judging) -> Changes:
+    """Accuse no derivative of a vector that may be taken in a turning frame.
+
+    That of the vector itself then differs from that of its entries by a cross product with it.
+    """
+    asked = []
+    for n, task in enumerate(at.tasks):
+        if task.sign.role is Role.DERIVATIVE and at.rows[n].outcome == Verdict.REFUTED.value:
+            _, steps = at.symbols.find_steps(task.sign.letter)
+            asked += [(n, before) for before, rate in pairwise(steps) if rate == task.sign.letter]
+    for (n, _), is_turned in at.ask(_may_turn, asked):
+        if is_turned is True:
+            reason = (
+                f"it differs from the derivative of the entries of {at.tasks[n].sign.first} by a "
+                "vector at right angles to it: is it the derivative in a turning frame?"
+            )
+            yield n, make_row(at.tasks[n], reason)
+
+
+def _may_turn(tasks: Sequence[Task], number: int, before: sp.Basic) -> bool:
+    """Return whether a print differs from a vector's derivative at right angles to the vector."""
+    task = tasks[number]
+    domain, says = Domain.of(task.paper, task.row.on), task.row.says
+    vector = write_out(domain.resolve(before))
+    if not (isinstance(says, Equality) and isinstance(vector, sp.MatrixBase) and vector.cols == 1):
+        return False
+    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    across = Equality(vector.dot(one - other), sp.S.Zero, "member")
+    return decide(across, domain).verdict is Verdict.PROVED
 
 
 def doubt_by_lengths(at: Judging) -> Changes:
