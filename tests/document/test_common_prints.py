@@ -171,6 +171,30 @@ def test_a_number_that_may_have_a_unit_accuses_no_dimensions(number: str, outcom
     assert judge_parts(block, rf"s=\frac{{v^2}}{{{number}f}}") == [outcome]
 
 
+MASS = (
+    "%% mechproof\n%% r ; l : [mm]\n%% v : [m/s]\n%% m : mass [kg]\n%% s : [mm]\n%% g : [m/s^2]\n"
+)
+UNITS = {
+    "r=66 mm": "not read",
+    r"l=1000\ mm=1\ m": "not read",
+    "v=36~m/s": "not read",
+    "r=5 m": "not read",
+    r"\frac lr=2\pi rad": "not read",
+    # Products of letters, right and wrong ones.
+    r"l=2\,s=\frac{4s}{2}": "DEFINITION",
+    "ml=2 ms": "DEFINITION",
+    "v^2=2 gs": "DEFINITION",
+    "l=3 mg": "ILL_FORMED",
+    "l=2(3)=6": "DEFINITION",
+}
+
+
+@pytest.mark.parametrize(("printed", "outcome"), UNITS.items())
+def test_units_in_italics_are_asked_for_and_products_are_not(printed: str, outcome: str) -> None:
+    found = judge_parts(f"{MASS}%% end\n", printed, "l+r=3r", "l-r=r")
+    assert found[0] == outcome
+
+
 INDEX_WORDS = r"""%% mechproof
 %% F_{max} ; F_\mathrm{min} : forces [N]
 %% s_\text{rel}(t) : way

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import TypeVar
 
 import sympy as sp
@@ -15,10 +16,13 @@ from mechproof.latex.characters import find_disguised, find_replaced, name_chara
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.block import Block
+from mechproof.nomenclature.cells import find_unit
 from mechproof.nomenclature.said import Said
 from mechproof.nomenclature.shown_letters import name_symbol
+from mechproof.record import Dimension
 from mechproof.sources.displays import Printed
 from mechproof.sources.located_text import Files, Place
+from mechproof.statement_domains.dimension_inference import DimensionError, infer
 
 T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -27,6 +31,11 @@ _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
+# A number, and what may be its unit in italics; a product is not spelled like some units.
+_QUANTITY = re.compile(
+    r"[-+]?\s*(?:\d[\d.]*|\d*\\pi)(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
+)
+_NO_PRODUCT = re.compile(r"\b(?:mm|rad|rpm|k?Hz|[kMG]Pa)\b")
 # Nodes next to which a number is not the size of a letter.
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
@@ -51,6 +60,40 @@ def refuse_units(read: Print) -> None:
                         f"a unit, {node.unit}, but no letter whose unit it could be",
                         "Declare the unit of the letter, or print the number alone, in that unit.",
                     )
+
+
+def refuse_units_in_italics(read: Print) -> None:
+    r"""Refuse 66 mm without \mathrm, whose letters may be factors, if it looks like a quantity.
+
+    It does if no product is spelled like this, if another member of the chain is a quantity of the
+    same dimension, or if the first member has the dimension of the unit but not of the product.
+    """
+    for chain in read.chains:
+        members = [read.cut(chain, n, n) for n in range(len(chain.members))]
+        matches = [(n, _QUANTITY.fullmatch(member)) for n, member in enumerate(members)]
+        units = {n: (m[1], unit) for n, m in matches if m and (unit := find_unit(m[1]))}
+        dimensions = [unit.dimension for _, unit in units.values()]
+        for n, (shown, unit) in units.items():
+            is_unit = _NO_PRODUCT.search(shown) or dimensions.count(unit.dimension) > 1
+            if is_unit or (n and _fits_only(unit.dimension, read, chain, n)):
+                raise read.source.refuse(
+                    chain.members[n].start,
+                    f"{shown} after a number: a unit, or a product of letters?",
+                    rf"Print \mathrm{{{shown}}} for the unit, \cdot between letters.",
+                )
+
+
+def _fits_only(unit: Dimension, read: Print, chain: tree.Chain, number: int) -> bool:
+    """Return whether the first member of a chain has the dimension of a unit but not of a member.
+
+    Nothing is known if a letter has no unit.
+    """
+    known = read.reader.notation.dimensions
+    first, product = (read.meaning().of(chain.members[n]) for n in (0, number))
+    with suppress(DimensionError):
+        if (first + product).free_symbols <= known.keys():
+            return infer(first, known) == unit != infer(product, known)
+    return False
 
 
 def refuse_powers_of_zero(read: Print) -> None:
@@ -83,9 +126,13 @@ def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None
     names = {one.name for one in printed}
     for member in (member for chain in read.chains for member in chain.members):
         nodes = [*tree.walk(member)]
-        inside = [node.inside for node in nodes if isinstance(node, tree.Bracket)]
+        terms = [term for node in nodes if isinstance(node, tree.Add) for _, term in node.terms]
+        # Without letters, (2)(3) is a product of numbers that are put in, but nobody adds (2).
+        is_formula = any(isinstance(node, tree.Letter) for node in nodes)
+        found = [n for n in (nodes if is_formula else terms) if isinstance(n, tree.Bracket)]
+        inside = [node.inside for node in found]
         numbers = [x for x in inside if isinstance(x, tree.Number) and f"({x.text})" in names]
-        if numbers and any(isinstance(node, tree.Letter) for node in nodes):
+        if numbers:
             raise read.source.refuse(
                 numbers[0].start,
                 f"({numbers[0].text}): the number, or the equation with that number?",

@@ -263,6 +263,7 @@ class Document:
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
         mentions.refuse_units(read)
+        mentions.refuse_units_in_italics(read)
         mentions.refuse_powers_of_zero(read)
         mentions.refuse_numbers_of_equations(read, self.printed)
         mentions.refuse_pi(read, self.pi)
