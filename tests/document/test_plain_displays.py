@@ -211,6 +211,8 @@ UNREAD = {
     r"x=25\quad\text{(square metres)}": "is not understood",
     # The (1) may refer to equation (1).
     r"x=y-2(1)": "the number, or the equation with that number?",
+    r"x=5-(1)": "the number, or the equation with that number?",
+    r"xspeed=y": "speed in italics: a word or a product?",
 }
 
 

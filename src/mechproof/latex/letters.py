@@ -37,7 +37,9 @@ from mechproof.record import NUMBER
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-_WORD = re.compile(r"[a-z]{2,}")
+_WORD = re.compile(r"[A-Za-z][a-z]+")
+# The longest row of letters that may be a product in spite of a letter that appears twice.
+_LONGEST = 3
 _PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
@@ -173,7 +175,9 @@ def _refuse_italics(parser: Parser) -> None:
     # The letters of \frac lg are separate arguments, not a word.
     tokens = zip(parser.tokens[parser.place :], found[0], strict=False)
     word = "".join(letter for _, letter in takewhile(lambda one: one[0].text == one[1], tokens))
-    if word in ITALICS:
+    # A product names no factor twice.
+    is_spelled = len(word) > _LONGEST and len({*word}) < len(word)
+    if word in ITALICS or is_spelled:
         raise parser.refuse(
             f"{word} in italics: a word or a product?",
             rf"Print \text{{ {word} }}, or \cdot between the letters.",
