@@ -37,6 +37,29 @@ def test_what_has_further_letters_is_no_solution() -> None:
     assert judge(*sums) == ["DEFINITION", "DEFINITION"]
 
 
+TRAIN = r"""%% mechproof
+%% r ; q ; s : radii [mm] {r>0, q>0, s>0}
+%% u ; v ; w ; c : speeds [1/s]
+%% end
+The planet rolls on both wheels:
+$$s(w-c)=-q(v-c)$$
+$$r(u-c)=q(v-c)$$
+The ring is held:
+$$u=0$$
+This gives
+$$c=\frac{s}{r+s}w$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("other", "outcome"),
+    [("r(u-c)=q(v-c)", "DEFINITION"), ("sw=sc-q(v-c)", "PROVED"), ("sw=sc+q(v-c)", "REFUTED")],
+)
+def test_what_is_held_later_contradicts_nothing_before_it(other: str, outcome: str) -> None:
+    rows = check("paper.tex", TRAIN.replace("r(u-c)=q(v-c)", other)).rows
+    assert [rows[1].outcome, rows[3].outcome] == [outcome, "DEFINITION"]
+
+
 LOOP = r"""%% mechproof
 %% r ; l : lengths [mm] {r>0, l>r}
 %% x(t) : position [mm]

@@ -176,6 +176,7 @@ def _find_misprint(
         if tasks[number].others and not all(find_failure(e.sides, given, domain) for e in compared):
             return None
         cases = [] if task.at else [(one.special or one).at for one in tasks[:number]]
+        cases.append(dict(_list_zeros(tasks[number:])))
         if any(at and _may_hold_at(at, task, constraints) for at in cases):
             return None
         plain = [one for one in constraints if not one.sign.is_tied]
@@ -195,6 +196,13 @@ def _find_misprint(
     except (RecordError, ContradictionError):
         pass
     return None
+
+
+def _list_zeros(later: Sequence[Task]) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    """Yield letters that later rows set to zero: what is printed after these may rest on it."""
+    for says in (task.row.says for task in later if task.sign.role is Role.SIZE):
+        if isinstance(says, Definition) and says.printed == 0:
+            yield says.symbol, sp.S.Zero
 
 
 def _is_another(task: Task) -> bool:
