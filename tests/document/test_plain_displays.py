@@ -216,6 +216,28 @@ UNREAD = {
 }
 
 
+@pytest.mark.parametrize(
+    ("latex", "outcome"),
+    [
+        (r"x,y\Longrightarrow(3)", "not judged"),
+        (r"(3),(4)\Rightarrow(5)\to(6)", "not judged"),
+        (r"\frac xz\longrightarrow(x_1)", "not judged"),
+        (r"\vec z", "not judged"),
+        # What states something is read, or refused with a reason.
+        (r"x=y\Longrightarrow x^2=y^2", "PROVED"),
+        (r"x=y\Longrightarrow x^2=-y^2-1", "REFUTED"),
+        (r"x\ll y", "not read"),
+        (r"x∝y", "not read"),
+    ],
+)
+def test_references_and_other_prints_without_relations_state_nothing(
+    latex: str, outcome: str
+) -> None:
+    (*_, row) = check("paper.tex", PAPER + E % latex).rows
+    assert str(row.outcome) == outcome
+    assert ("no relation sign" in row.reason) == (outcome == "not judged")
+
+
 @pytest.mark.parametrize(("one", "other"), [("", "REFUTED"), ("(maximum)", "not judged")])
 @pytest.mark.parametrize("is_first", [True, False])
 def test_an_equation_with_a_remark_may_be_of_another_case(

@@ -36,6 +36,11 @@ _QUANTITY = re.compile(
     r"[-+]?\s*(?:\d[\d.]*|\d*\\pi)(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
 )
 _NO_PRODUCT = re.compile(r"\b(?:mm|rad|rpm|k?Hz|[kMG]Pa)\b")
+# Signs of order, equality and the like: all those that are read, and others.
+_RELATION = re.compile(
+    r"[=<>\u2200-\u22ff]|\\(?:n?[lg](?:e|eq|eqq|eqslant|t)|ne|neq|not|ll|gg|approx|equiv|n?sim|simeq"
+    r"|cong|propto|in|notin|ni|triangleq|coloneqq?|doteq|asymp|n?mid|perp|n?parallel|[ps]\w*eq)(?![A-Za-z])"
+)
 # Nodes next to which a number is not the size of a letter.
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
@@ -143,6 +148,11 @@ def refuse_numbers_of_equations(read: Print, printed: Sequence[Printed]) -> None
 def says_constant(latex: str) -> bool:
     r"""Return whether a print only says that a quantity is constant, m=\text{const.}."""
     return bool(_CONSTANT.search(latex))
+
+
+def may_relate(latex: str) -> bool:
+    """Return whether a print contains what may be a relation sign; an arrow is none."""
+    return bool(_RELATION.search(latex))
 
 
 def refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:

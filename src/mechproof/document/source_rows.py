@@ -56,6 +56,7 @@ T = TypeVar("T")
 _ZERO = re.compile(r"(.*?)\s*=\s*0")
 _NUMBER = re.compile(r"\b(?:number|scalar|magnitude|modulus)", re.IGNORECASE)
 _MEMBER = ", a member of a family: declare it as a separate letter"
+_NO_RELATION = "it has no relation sign"
 UNFIT = "numbers and matrices do not fit together here, or values of letters cannot be substituted"
 # Raised by SymPy when values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
@@ -244,6 +245,8 @@ class Document:
             return self._leave(printed, State.SKIPPED, reason)
         if mentions.says_constant(printed.latex.string):
             return self._leave(printed, State.NOT_JUDGED, "it only says that something is constant")
+        if not mentions.may_relate(printed.latex.string):
+            return self._leave(printed, State.NOT_JUDGED, _NO_RELATION)
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
@@ -261,7 +264,7 @@ class Document:
         read = calculate_sizes(read, self.symbols.bare)
         self.has_units |= any(isinstance(n, Measure) and n.factor != 1 for n in walk(read.chains))
         if not any(chain.relations for chain in read.chains):
-            return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
+            return self._leave(printed, State.NOT_JUDGED, _NO_RELATION)
         mentions.refuse_units(read)
         mentions.refuse_units_in_italics(read)
         mentions.refuse_powers_of_zero(read)

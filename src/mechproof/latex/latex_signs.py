@@ -51,7 +51,7 @@ _SAME = {
     "*": r"\cdot",
     **dict.fromkeys((r"\vert",), "|"),
     **dict.fromkeys((r"\Vert", r"\lVert", r"\rVert"), r"\|"),
-    **{r"\rightarrow": r"\to", r"\land": AND},
+    **{r"\rightarrow": r"\to", r"\longrightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     **{r"\neq": r"\ne", r"\simeq": r"\approx", r"\textbf": r"\mathbf"},

@@ -13,7 +13,7 @@ from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, 
 from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
 from mechproof.latex.printed_functions import AMBIGUOUS
 from mechproof.latex.printed_relations import RELATIONS
-from mechproof.latex.several_equations import EQUIVALENCES
+from mechproof.latex.several_equations import ARROWS, EQUIVALENCES
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
 from mechproof.record.unit_notation import is_unit
@@ -51,7 +51,7 @@ _UNREAD = {
     ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
     **dict.fromkeys(RELATIONS, "Enter the whole chain, with what comes before this sign."),
     **dict.fromkeys(
-        (r"\Rightarrow", r"\implies"),
+        ARROWS,
         r"Print the conclusion, and its condition after it: \text{ for }x>0.",
     ),
     **dict.fromkeys(
