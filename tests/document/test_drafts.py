@@ -55,6 +55,28 @@ def test_an_e_that_is_raised_is_eulers_number_elsewhere_too() -> None:
     assert "missing here" in found
 
 
+@pytest.mark.parametrize(
+    ("display", "is_euler"),
+    [
+        (r"x=Ae^{-kt}", True),
+        (r"x=\underbrace{mge^{-kt}}_{c}+e^{kt}", True),
+        # An eccentricity and its square, and a command that ends in e.
+        (r"x=Ae^2-be", False),
+        (r"x=Ae^{-kt}+e", False),
+        (r"x\le^{n}k", False),
+    ],
+)
+def test_an_e_that_is_raised_behind_other_letters_is_eulers_number(
+    display: str, is_euler: bool
+) -> None:
+    assert (r"%% let e=\mathrm{e}" in draft(f"$${display}$$").splitlines()) == is_euler
+
+
+def test_functions_of_values_in_sentences_are_drafted() -> None:
+    found = draft(r"$$x=k\sin(\omega t+\phi)$$ where $\phi=\tan^{-1}(\frac bc)$.").splitlines()
+    assert {r"%% let \phi=\tan^{-1}(\frac bc)", r"%% function \tan^{-1} is \arctan"} <= {*found}
+
+
 def test_letters_beside_one_that_may_be_a_differential_are_drafted() -> None:
     found = draft(r"$$b=R\theta-\frac d2$$ $$\int_0^1x\,dx=w$$").splitlines()
     assert {"%% R :", r"%% \theta :"} <= {*found}
@@ -452,6 +474,12 @@ def test_words_ask_what_follows() -> None:
     assert "%% # line 4 refers to (2), (1). Does (3) follow from them?" in found
     assert "%% # follows (3): (2), (1)\n" in found
     assert found.count("follows") == 2
+
+
+def test_a_number_beside_its_own_equation_refers_to_no_other() -> None:
+    numbered = r"$$N=kb\qquad-(1)$$ $$b=2c\qquad(2)$$ {} $$N=2kc\qquad(3)$$"
+    assert "follows" not in draft(numbered.format("The sum is"))
+    assert "# follows (3): (1), (2)\n" in draft(numbered.format("With (1) and (2) we have"))
 
 
 def test_what_refers_to_a_display_asks_for_all_its_parts() -> None:

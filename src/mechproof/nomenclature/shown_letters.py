@@ -59,7 +59,7 @@ _NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
 _RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
 # Prints that show that such a letter is not a quantity.
 _NO_LETTER = {
-    "e": re.compile(rf"(?<![A-Za-z\\])e\s*\^{_NO_SQUARE}"),
+    "e": re.compile(rf"(?<![A-Za-z\\])[A-Za-z]{{0,3}}e\s*\^{_NO_SQUARE}"),
     "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
     "i": re.compile(rf"i\s*(?:=\s*\d+\s*{_RUNS_ON}|\\in)|e\s*\^{_NO_SQUARE}"),
 }

@@ -35,8 +35,12 @@ from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, i
 
 # Seconds allowed for finding the sizes of matrices.
 _LIMIT = 10.0
-# A letter e anywhere, and one that is raised to a power other than a number.
-_E = re.compile(r"(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )e(?![A-Za-z_}])")
+# A letter e anywhere, also raised after other letters, Ae^{-t}; and one raised to a power other
+# than a number.
+_E = re.compile(
+    r"(?:(?<![A-Za-z\\{])(?<!\\mathrm )(?<!\\rm )"
+    r"|(?<![A-Za-z\\])(?P<before>[A-Za-z]{1,3})(?=e\s*\^))e(?![A-Za-z_}])"
+)
 _RAISED_E = re.compile(_E.pattern + r"\s*\^(?!\s*\{?\s*(?:\d|\*|\\ast|\\star))")
 _EULER = ["# It is raised to powers: Euler's number.", "e :", r"let e=\mathrm{e}", "factor e"]
 
@@ -48,7 +52,8 @@ def draft_block(source: Source) -> str:
     unit = find_imaginary_unit(prints)
     said = dict(find_said(source))
     has_euler = _is_euler(prints)
-    plain = [_E.sub(r"\\mathrm{e}", latex) for latex in prints] if has_euler else prints
+    euler = r"\g<before>\\mathrm{e}"
+    plain = [_E.sub(euler, latex) for latex in prints] if has_euler else prints
     plain = [drafted_lines.COUNTING.sub(r"\g<letter>>0", latex) for latex in plain]
     collected = collect_letters(plain, guess=True, imaginary=unit, said=said)
     if find_pi(said):
@@ -76,6 +81,7 @@ def draft_block(source: Source) -> str:
     measures = [*find_printed_units(displays), *find_units(source), *heads]
     _take_units(measures, entries, said, source)
     running = {name: one.running for one in entries.values() for name in one.names}
+    called = {**collected.functions, **beside.functions}
     readable = (x for x in plain if x not in collected.unread)
     # A matrix needs no `factor` line: a bracket after it multiplies it unless it is an argument.
     brackets = dict.fromkeys([*collected.factors, *beside.factors])
@@ -103,7 +109,7 @@ def draft_block(source: Source) -> str:
         *drafted_lines.write_factors(factors, entries, prints),
         *ask_functions(places, running),
         *((f"imaginary {unit}",) if unit else ()),
-        *(f"function {name} is {meant}" for name, meant in collected.functions.items()),
+        *(f"function {name} is {meant}" for name, meant in called.items()),
     ]
     lines = drafted_lines.ask_refused(lines, source)
     lines += ask_what_follows(source, displays)

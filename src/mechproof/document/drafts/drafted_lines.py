@@ -196,7 +196,9 @@ def _find_refused(lines: Sequence[str], source: Source) -> dict[int, str]:
         Document(replace(source, files=files, lines=said, has_block=True))
     except BlockError as error:
         faults = ((x.number, x.reason.partition("\n")[0]) for x in error.faults if x.number)
-        return {number: f"# {reason}:" for number, reason in faults}
+        return {
+            n: f"# {reason}" if reason.endswith("?") else f"# {reason}:" for n, reason in faults
+        }
     except ValueError:
         # No single line is refused, so the check itself will report the error.
         pass

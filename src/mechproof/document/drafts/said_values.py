@@ -207,7 +207,9 @@ def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[st
             names.setdefault(label, {})[one.name] = None
     starts = [one.latex.offsets[0] for one in displays]
     met: dict[int, dict[str, int]] = {}
-    for match in _REFERENCE.finditer(source.text.string):
+    # A display refers to others for itself, and may have its own number beside it.
+    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    for match in _REFERENCE.finditer(text):
         offset = source.text.offsets[match.start()]
         after = bisect_right(starts, offset)
         before = {one.name for one in displays[:after]}
