@@ -180,6 +180,7 @@ UNITS = {
     "v=36~m/s": "not read",
     "r=5 m": "not read",
     r"\frac lr=2\pi rad": "not read",
+    r"l=(r+2s)~mm": "not read",
     # Products of letters, right and wrong ones.
     r"l=2\,s=\frac{4s}{2}": "DEFINITION",
     "ml=2 ms": "DEFINITION",

@@ -171,8 +171,9 @@ def _judge_alone(task: Task) -> Judgement | str:
     is_relation = task.sign.role is Role.RELATION
     if found.verdict is Verdict.REFUTED and task.is_solution and not is_relation:
         return (
-            f"it differs from {task.sign.first}, but may be another solution or case; if it is "
-            f"neither, declare identity {name_equation(task.row.number)} in the block of letters"
+            f"it differs from {task.sign.first or 'an earlier print'}, but may be another solution "
+            f"or case; if it is neither, declare identity {name_equation(task.row.number)} in the "
+            "block of letters"
         )
     is_compared = task.asserts or task.sign.role in COMPARED
     if found.verdict is Verdict.REFUTED and is_compared and (said := find_relations(task)):

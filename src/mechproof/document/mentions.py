@@ -31,9 +31,10 @@ _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
-# A number, and what may be its unit in italics; a product is not spelled like some units.
+# A number or a bracket, and what may be its unit in italics; a product is not spelled like some
+# units.
 _QUANTITY = re.compile(
-    r"[-+]?\s*(?:\d[\d.]*|\d*\\pi)(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
+    r"[-+]?\s*(?:\d[\d.]*|\d*\\pi|.*\))(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
 )
 _NO_PRODUCT = re.compile(r"\b(?:mm|rad|rpm|k?Hz|[kMG]Pa)\b")
 # Signs of order, equality and the like: all those that are read, and others.
