@@ -77,6 +77,13 @@ def test_functions_of_values_in_sentences_are_drafted() -> None:
     assert {r"%% let \phi=\tan^{-1}(\frac bc)", r"%% function \tan^{-1} is \arctan"} <= {*found}
 
 
+def test_formulas_of_letters_that_only_other_formulas_have_are_drafted() -> None:
+    found = draft(r"$$x=kN$$ where $N=b+K_1$ and $K_1=\frac da$; $u=3$ is unused.").splitlines()
+    lines = {"K_{1} :", "a :", "d :", "let N=b+K_1", r"let K_{1}=\frac da"}
+    assert {f"%% {line}" for line in lines} <= {*found}
+    assert "%% u :" not in found
+
+
 def test_letters_beside_one_that_may_be_a_differential_are_drafted() -> None:
     found = draft(r"$$b=R\theta-\frac d2$$ $$\int_0^1x\,dx=w$$").splitlines()
     assert {"%% R :", r"%% \theta :"} <= {*found}

@@ -29,7 +29,12 @@ from mechproof.nomenclature.inline import RATE, Inline, find_inline, find_printe
 from mechproof.nomenclature.possible_matrices import UNIT_MATRIX, write_unit
 from mechproof.nomenclature.said import Said, find_pi, find_said, find_units
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.nomenclature.shown_letters import collect_letters, find_places, name_symbol
+from mechproof.nomenclature.shown_letters import (
+    Collected,
+    collect_letters,
+    find_places,
+    name_symbol,
+)
 from mechproof.sources.displays import find_displays
 from mechproof.sources.paper_files import LATEX_BLOCK, MARKDOWN_BLOCK, Source, is_markdown_name
 
@@ -71,11 +76,7 @@ def draft_block(source: Source) -> str:
     functions = drafted_lines.list_functions(source)
     respect = drafted_lines.find_running(source, displays, letters, functions)
     entries = drafted_lines.list_entries(collected, shapes, prints, respect, functions)
-    inline = _find_inline(source, entries)
-    values = [one.value for _, one in inline if one.number is None]
-    beside = collect_letters(values, guess=True, imaginary=unit)
-    for base, by in map(drafted_lines.split_letter, beside.letters):
-        entries.setdefault(name_symbol(base), drafted_lines.DraftedLetter({base: None}, by))
+    inline, beside = _add_inline(source, entries, unit)
     _take_inline(inline, entries, said)
     heads = find_head_units(document.tables, document.symbols.reader())
     measures = [*find_printed_units(displays), *find_units(source), *heads]
@@ -182,6 +183,23 @@ def _take_units(
         name = shown.get(name_symbol(letter), "")
         known = said.get(name, Said("", "", source.files.locate(offset).line))
         said[name] = replace(known, unit=known.unit or measure)
+
+
+def _add_inline(
+    source: Source, entries: dict[str, drafted_lines.DraftedLetter], unit: str
+) -> tuple[list[tuple[str, Inline]], Collected]:
+    """Enter the letters of formulas that sentences give letters, which may have some, too.
+
+    Returns these formulas, the sizes beside them, and what was collected.
+    """
+    while True:
+        inline, count = _find_inline(source, entries), len(entries)
+        values = [one.value for _, one in inline if one.number is None]
+        beside = collect_letters(values, guess=True, imaginary=unit)
+        for base, by in map(drafted_lines.split_letter, [*beside.letters, *beside.guessed]):
+            entries.setdefault(name_symbol(base), drafted_lines.DraftedLetter({base: None}, by))
+        if len(entries) == count:
+            return inline, beside
 
 
 def _find_inline(

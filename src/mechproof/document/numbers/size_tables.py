@@ -137,8 +137,8 @@ class SizeTables:
                 reason = "is not compared: its head cannot be read"
                 self._describe(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
-                what = "no numbers of a letter with a formula" if grid else "fewer than two letters"
-                reason = f"this table is not compared: it shows {what}"
+                lacks = "no numbers of a letter with a formula", "no two letters in its head"
+                reason = f"this table is not compared: it shows {lacks[grid is None]}"
                 self._describe(table.offset, reason)
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
