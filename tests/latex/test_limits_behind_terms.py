@@ -17,6 +17,12 @@ ROWS = [
     (r"\int_0^lax\,dx=\left[\frac{ax^2}{2}\right]_0^l=\frac{al^2}2", (PROVED, PROVED)),
     (r"\int_0^lax\,dx=\left[\frac{ax^2}{2}\right]_l^0", (REFUTED,)),
     (r"\left.ax^2\right|_{x=1}^{x=2}=3a", (PROVED,)),
+    # Bars after a power or a function that is the whole member.
+    (r"x^2|^2_1=3", (PROVED,)),
+    (r"x^2|_1^2=-3", (REFUTED,)),
+    (r"\ln(x)\Big|^{2}_{1}=\ln2", (PROVED,)),
+    (r"\sin^2(x)|_{x=2}=\sin^22", (PROVED,)),
+    (r"\sin^2(x)|_{x=2}=\sin2", (REFUTED,)),
     (r"a\left[\sin2\varphi\right]_0^{\pi/4}=a", (PROVED,)),
     (r"\int_0^\infty x\mathrm e^{-x}\,dx=\left[-(x+1)\mathrm e^{-x}\right]_0^\infty", (PROVED,)),
     (r"\left[\frac x{x+1}\right]_0^\infty=1", (PROVED,)),
@@ -30,6 +36,9 @@ REFUSED = [
     # An undeclared function, or a letter that may be one of another letter.
     (r"\int_0^1x\,dx=[G]_0^1", "of which letter"),
     (r"[y]_0^1=1", "of which letter"),
+    (r"1+x^2|_0^1=1", "how far"),
+    (r"2\sin(x)|_0^1=1", "how far"),
+    (r"\ln x|_1^2=\ln2", "how far"),
     (r"\left[\frac{x-1}{x-1}\right]_1^2=0", "divides by zero"),
     (r"\left[\frac1x\right]_0^1=1", "divides by zero"),
     (r"\frac d{dt}\begin{pmatrix}a\\b\end{pmatrix}=0", "does that depend on it"),

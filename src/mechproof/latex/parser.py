@@ -297,26 +297,25 @@ class Parser:
         letters.check_bracket_after(self, left)
 
     def read_factor(self) -> tree.Node:
-        """Read an atom and the power it is raised to."""
+        """Read an atom and the power it is raised to, with a bar after it."""
+        place, factor = self.place, self._read_power()
+        return places.read_bar(self, factor, place) if places.is_bar(self) else factor
+
+    def _read_power(self) -> tree.Node:
         if extrema.is_extremum(self):
             return extrema.read_extremum(self)
         if calls.is_function(self):
             return calls.read_call(self)
-        start, place = self.start, self.place
-        atom = self.read_atom()
+        start, atom = self.start, self.read_atom()
         if atoms.is_excerpt(self):
             atom = atoms.read_excerpt(self, atom, start)
-        if places.is_bar(self):
-            return places.read_bar(self, atom, place)
         if self.text == "_" and isinstance(atom, tree.Bracket):
             return places.read_indexed(self, atom)
         if suffixed := printed_derivatives.read_suffix(self, atom):
             return suffixed
-        if self.text != "^":
-            return atom
-        if isinstance(atom, tree.Quotient):
+        if self.text == "^" and isinstance(atom, tree.Quotient):
             raise self.refuse("a power of a fraction without brackets", r"Print \left(…\right)^n.")
-        return self._raise(atom, start)
+        return self._raise(atom, start) if self.text == "^" else atom
 
     def read_atom(self) -> tree.Node:
         """Read the operand at the current place, up to the next operator."""
