@@ -77,6 +77,28 @@ def test_functions_of_values_in_sentences_are_drafted() -> None:
     assert {r"%% let \phi=\tan^{-1}(\frac bc)", r"%% function \tan^{-1} is \arctan"} <= {*found}
 
 
+@pytest.mark.parametrize(
+    ("by", "lines"),
+    [
+        (r"\dot z_{s}", ["Q :", "T_{s} :", "z_{s}(t) :"]),
+        ("z_{s}", ["Q :", "T_{s}(z_{s}) :", "z_{s} :"]),
+    ],
+)
+def test_what_is_differentiated_by_a_rate_depends_on_no_letter_for_this(
+    by: str, lines: list[str]
+) -> None:
+    found = draft(rf"$$Q=\frac{{dT_{{s}}}}{{d{by}}}$$").splitlines()
+    assert [line.removeprefix("%% ") for line in found if line.endswith(" :")] == lines
+
+
+@pytest.mark.parametrize(
+    ("index", "line"), [("pitch", r"\theta_{pitch} :"), ("bi", r"\theta_{bi}(i) :")]
+)
+def test_a_word_as_an_index_does_not_run(index: str, line: str) -> None:
+    found = draft(rf"$$T=\sum_{{i=1}}^4k_i\theta_{{{index}}}$$").splitlines()
+    assert {f"%% {line}", "%% k_{i}(i) :"} <= {*found}
+
+
 def test_formulas_of_letters_that_only_other_formulas_have_are_drafted() -> None:
     found = draft(r"$$x=kN$$ where $N=b+K_1$ and $K_1=\frac da$; $u=3$ is unused.").splitlines()
     lines = {"K_{1} :", "a :", "d :", "let N=b+K_1", r"let K_{1}=\frac da"}

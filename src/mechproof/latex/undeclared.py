@@ -27,6 +27,8 @@ UNSURE = {
     "i": "The imaginary unit is not read. If it is a letter, such as a ratio:",
     "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
+# The longest index that is a row of letters rather than a word.
+_LONGEST = 3
 # Signs that form one quantity with the next letter, or a product with it.
 _INCREMENTS = (r"\Delta", r"\delta")
 # Signs after which a d is a letter, not a differential.
@@ -233,11 +235,12 @@ def _collect(parser: Parser) -> Letter:
 
 
 def _find_running_index(parser: Parser, start: int, end: int) -> str:
-    """Return the bound letters at the end of a letter's index: i of d_{bi}."""
+    """Return the bound letters at the end of a letter's index: i of d_{bi}, none of d_{pitch}."""
     texts = [token.text for token in parser.tokens[start:end]]
-    index = texts[texts.index("_") + 2 :] if "_" in texts else []
+    index = [text for text in texts[texts.index("_") + 2 :] if text != "}"] if "_" in texts else []
     own = next((n for n, text in enumerate(index) if text in parser.bound), len(index))
-    return "".join(index[own:]).replace("}", "")
+    is_word = len(index) > _LONGEST and all(map(str.isalpha, index))
+    return "" if is_word and not {*index[own:]} <= {*parser.bound} else "".join(index[own:])
 
 
 def find_end(tokens: Sequence[Token], place: int) -> int:

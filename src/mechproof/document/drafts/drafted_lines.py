@@ -64,7 +64,9 @@ _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 _D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*"
 _INDEX = r"_(?:\w|\{\w+\}|(?:\{\s*)?\\(?:text|mathrm|mbox)\s*\{[^{}]*\}\s*\}?)"
 _OF = rf"{_D}(?:\^\s*\{{?\d\}}?)?\s*(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*"
-_BY = rf"{_D}(?P<by>\\?[A-Za-z]+(?:{_INDEX})?)"
+# A derivative by \dot q shows no letter that the other one depends on.
+_ACCENT = r"\\(?:d+ot|vec|bar|hat|tilde|math[a-z]+|bm)(?![A-Za-z])"
+_BY = rf"{_D}(?P<by>(?!{_ACCENT})\\?[A-Za-z]+(?:{_INDEX})?)"
 _QUOTIENTS = (
     re.compile(rf"\\frac\s*\{{\s*{_OF}\}}\s*\{{\s*{_BY}[^{{}}]*\}}"),
     re.compile(rf"(?<![A-Za-z\\]){_OF}/\s*{_BY}"),
