@@ -7,6 +7,8 @@ from functools import partial
 import pytest
 from small_papers import judge_parts
 
+from mechproof.document.checking import check
+
 pytestmark = pytest.mark.usefixtures("judged_here")
 
 BLOCK = r"""%% mechproof
@@ -236,3 +238,30 @@ def test_what_has_to_move_and_is_not_said_to_is_named(wrong: str) -> None:
 def test_an_angle_that_need_not_move_is_constant() -> None:
     still = (r"x=r\cos(\varphi+\delta)", r"\dot x=-r\dot\varphi\sin(\varphi+\delta)")
     assert judge_parts(BLOCK.replace("@", "(t)"), *still) == ["DEFINITION", "PROVED"]
+
+
+ROOTS = r"""%% mechproof
+%% m ; b ; k : numbers {b>0}
+%% T : period
+%% p ; q : roots
+%% c ; u ; v ; x : numbers
+%% factor c
+%% end
+If both are real
+$$p=\frac{-b+\sqrt{b^2-4mk}}{2m}$$
+$$q=\frac{-b-\sqrt{b^2-4mk}}{2m}$$
+Hence
+$$u+c=x$$
+$$up+cq=v$$
+$$c(q-p)=v-px$$
+The body with less damping has
+$$b=2m\sqrt{\frac km-\frac{4\pi^2}{T^2}}$$
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("sign", "outcome"), [("-", "PROVED"), ("+", "DEFINITION")])
+def test_a_later_case_in_which_letters_have_no_values_is_left_out(sign: str, outcome: str) -> None:
+    row = check("paper.tex", ROOTS.replace("v-px", f"v{sign}px")).rows[4]
+    assert row.outcome == outcome
+    assert row.reason.endswith("does not rest on display 6") == (outcome == "PROVED")

@@ -38,6 +38,8 @@ _Pairs = tuple[tuple[sp.Basic, sp.Expr], ...]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
+# Ends the reason of a row whose letters have no values.
+EMPTY = "is it empty?"
 # Tries without a point after which a search begins; points that are enough from that search.
 _BARREN = 80
 _FEW = 12
@@ -156,7 +158,7 @@ class Domain:
             interior += islice((point for point in found if point not in interior), few)
         if not interior:
             said = " and ".join(map(str, relations)) or "its sets"
-            raise RecordError(f"no point found in the domain where {said}: is it empty?")
+            raise RecordError(f"no point found in the domain where {said}: {EMPTY}")
         corners = self._corners({s: interior[0][s] for s in ordered})
         return interior + list(self._complete(corners, relations, fixed))
 

@@ -41,7 +41,7 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
-from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.domain import EMPTY, Domain
 
 # Why a row with the same letters on both sides is left open.
 EITHER = (
@@ -90,7 +90,9 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
     tasks, task, outcome = at.tasks, at.tasks[number], at.rows[number].outcome
     is_condition = task.sign.role is Role.RELATION and outcome == Verdict.PROVED.value
     is_compared = task.sign.role in COMPARED and not task.is_solution
-    is_open = outcome in _OPEN or (outcome == State.NOT_JUDGED.value and is_compared)
+    # A definition of another case may be what leaves the letters no values.
+    is_empty = at.rows[number].reason.endswith(EMPTY)
+    is_open = outcome in _OPEN or (outcome == State.NOT_JUDGED.value and is_compared) or is_empty
     if not (outcome == Verdict.REFUTED.value or is_open or is_condition):
         return []
     letters = list_used(task, tasks)
@@ -101,7 +103,7 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
         special = [one for one in special if one not in own]
     behind = [one for one in tasks[number + 1 :] if one.said.passage > task.said.passage]
     behind = [one for one in behind if not one.said.is_clause]
-    if not is_condition:
+    if not (is_condition or is_empty):
         behind = [one for one in behind if not leaves_free(one, task, tasks)]
     groups = (
         (doubted, "may be wrong itself"),
