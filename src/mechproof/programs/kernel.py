@@ -231,7 +231,7 @@ def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.
     return matrix + [output.xreplace(dict.fromkeys(point, sp.S.Zero)) for output in outputs]
 
 
-class _Writer(ReprPrinter):
+class _Writer(ReprPrinter):  # type: ignore[misc]
     """SymPy's `srepr`, except that a part that occurs repeatedly is written once."""
 
     def __init__(self) -> None:
