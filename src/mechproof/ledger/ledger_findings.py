@@ -30,6 +30,7 @@ from mechproof.record import (
     Weight,
 )
 from mechproof.record.papers import WEIGHTS
+from mechproof.record.substitution import substitute
 from mechproof.sources.located_text import Place
 from mechproof.statement_domains.domain import Domain
 
@@ -228,7 +229,8 @@ def _value(
 ) -> balls.Ball:
     if unit not in UNITS:
         raise ValueError(f"{where}: unit = {unit!r}: must be one of {', '.join(UNITS)}")
-    placed = domain.resolve(side).subs(at, simultaneous=True)
+    sizes = {symbol: sp.sympify(value) for symbol, value in at.items()}
+    placed = substitute(domain.resolve(side), sizes)
     if placed.free_symbols:
         raise ValueError(f"{where}: no size is given for {sorted(map(str, placed.free_symbols))}")
     value = balls.evaluate_until(UNITS[unit] * placed, {}, _BITS)
