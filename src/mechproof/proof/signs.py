@@ -34,7 +34,7 @@ from mechproof.proof.coordinates import (
     write_by_half_angles,
 )
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
-from mechproof.record.parts import find_parts, find_roots, has_parts, replace_parts
+from mechproof.record.parts import find_free, find_parts, find_roots, has_parts, replace_parts
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -123,6 +123,8 @@ def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None
 def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the sign of a product some of whose factors have signs given by relations."""
     said = [slack for slack in map(find_slack, domain.where) if slack]
+    if not (said and expression.count_ops() <= _MOST_FACTORED and is_workable(expression)):
+        return None
     said = [Slack(domain.resolve(value), strict) for value, strict in said]
     # Drop the relations: with them, these signs would be asked for again without end.
     free = replace(domain, where=())
@@ -132,10 +134,9 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
         for value, end, _ in list_by_values(slack)
         if end.value.is_infinite or is_shown(end, free)
     ]
-    said = [_leave_known_factors(slack, free) for slack in said]
+    said = [_leave_known_factors(slack, _leave_out(slack, free)) for slack in said]
     said = [slack for slack in said if slack.value.free_symbols <= expression.free_symbols]
-    is_small = expression.count_ops() <= _MOST_FACTORED and is_workable(expression)
-    if not (said and is_small and _is_quotient(expression)):
+    if not (said and _is_quotient(expression)):
         return None
     if whole := _find_stated_sign(expression, said):
         return whole
@@ -146,8 +147,20 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
             met.append(one)
         return one or (find_sign(base, domain) if base != expression else None)
 
-    sign = multiply_signs(sp.factor(expression), find)
+    factors = sp.Mul.make_args(factored := sp.factor(expression))
+    bases = (base for factor in factors for base in (factor, factor.as_base_exp()[0]))
+    # Of three factors none may be stated, but the product of two.
+    if len(factors) < 3 and not any(_find_stated_sign(base, said) for base in bases):
+        return None
+    sign = multiply_signs(factored, find)
     return sign if met else None
+
+
+def _leave_out(slack: Slack, domain: Domain) -> Domain:
+    """Return the domain without letters that a slack lacks: they are often new in each proof."""
+    letters = find_free(slack.value)
+    kept = {s: v for s, v in domain.within.items() if s in letters or not s.is_Symbol}
+    return replace(domain, within=kept)
 
 
 def multiply_signs(
