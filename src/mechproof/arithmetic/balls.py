@@ -51,12 +51,13 @@ def working_precision(bits: int) -> Iterator[None]:
 
 def to_ball(number: Any) -> Ball:
     """Return the exact ball of a double, integer or fraction, or a ball of a number of SymPy."""
-    if isinstance(number, arb | acb):
-        return number
-    if isinstance(number, sp.Float):
-        number = sp.Rational(number)
+    # Asked first, as most numbers are fractions of SymPy.
     if isinstance(number, sp.Rational):
         return arb(fmpq(int(number.p), int(number.q)))
+    if isinstance(number, (arb, acb)):
+        return number
+    if isinstance(number, sp.Float):
+        return to_ball(sp.Rational(number))
     if isinstance(number, Fraction):
         return arb(fmpq(number.numerator, number.denominator))
     if isinstance(number, sp.Expr):

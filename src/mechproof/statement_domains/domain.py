@@ -29,7 +29,7 @@ from mechproof.statement_domains.set_values import (
     contains,
     list_closed_ends,
     list_special_values,
-    place,
+    placing,
     radical_inverse,
 )
 
@@ -226,12 +226,9 @@ class Domain:
         return names, tied
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
-        spread = [(s, self.set_of(s), sp.prime(k)) for k, s in enumerate(ordered, start=1)]
+        spread = [(s, placing(self.set_of(s)), sp.prime(k)) for k, s in enumerate(ordered, 1)]
         for step in range(1, 1 + count * (_TRIES_PER_POINT if self.where else 1)):
-            yield {
-                symbol: place(values, radical_inverse(step, base), step)
-                for symbol, values, base in spread
-            }
+            yield {symbol: place(radical_inverse(step, p), step) for symbol, place, p in spread}
 
     def special_points(self, inside: Point, landmarks: Sequence[sp.Expr] = ()) -> list[Point]:
         """Return points that differ from an inner one by zero, one, fractions of a turn, or ends.

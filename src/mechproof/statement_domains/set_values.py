@@ -6,8 +6,8 @@ uses assumptions while an expression is built, so that an unjustified one cannot
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache, lru_cache
+from collections.abc import Callable, Mapping
+from functools import cache, lru_cache, partial
 from typing import Any
 
 import sympy as sp
@@ -52,8 +52,14 @@ def radical_inverse(step: int, base: int) -> sp.Rational:
     return sp.Rational(numerator, denominator)
 
 
-# Cached, as the same numbers are placed in the same sets for every row.
-@lru_cache(maxsize=4096)
+# Cached, as the same numbers are placed in the same sets for every row; for each set separately, as
+# SymPy takes long to hash one.
+@cache
+def placing(where: sp.Set) -> Callable[[sp.Rational, int], sp.Expr]:
+    """Return the function that places numbers in a set."""
+    return lru_cache(maxsize=1024)(partial(place, where))
+
+
 def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; values on the whole line are spread over several turns."""
     if where in COUNTS:
