@@ -49,6 +49,14 @@ ROWS = [
     ),
     (r"\frac{\mathrm d}{\mathrm dt}\mathrm e^{-\delta t}=-\delta\mathrm e^{-\delta t}", (), PROVED),
     (r"\mathrm e^{-\delta t}\cos t\le\mathrm e^{-\delta t}", (), PROVED),
+    # So do letters in a bracket, followed by a variable of integration or differentiation.
+    (r"\int_0^1\cos(a+b)x\,dx=\frac{\sin(a+b)}{a+b}", ("a=b",), PROVED),
+    (r"\int\sin(a+b)x\,dx=-\frac{\cos(a+b)x}{a+b}+C", (), PROVED),
+    (r"\int\sin(a+b)x\,dx=\frac{\cos(a+b)x}{a+b}+C", (), REFUTED),
+    (r"2\sin ax\cos bx=\sin(a+b)x+\sin(a-b)x", (), PROVED),
+    (r"2\sin ax\cos bx=\sin(a+b)x-\sin(a-b)x", (), REFUTED),
+    (r"\int_0^1\sin(a+b)x\,dx=\frac{1-\cos(a+b)\pi}{a+b}", (), REFUTED),
+    (r"\sum_{n=1}^\infty\frac1{n^2+b^2}=\frac{\pi\coth\pi b}{2b}-\frac1{2b^2}", ("b=1",), PROVED),
     # A letter followed by the letter that tends to a limit forms one argument.
     (r"\lim_{x\to0}\frac{\sin2ax}{\tan bx}=\frac{2a}b", (), UNDECIDED),
     (r"\lim_{x\to0}\frac{\sin2ax}{\tan2x}=a", (), PROVED),

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import pairwise
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import find_close, measure_depths
@@ -20,7 +21,7 @@ _FUNCTIONS = ("f", "g", "F", "G", r"\Phi")
 # Letters that may be rates or numbers in front of an angle, a time or a length; functions of
 # angles; angular velocities; and letters for angles, times and lengths.
 _RATES = (*"abckmnpq", r"\lambda", r"\mu", r"\nu")
-_OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot")
+_OF_ANGLES = (r"\sin", r"\cos", r"\tan", r"\cot", r"\sinh", r"\cosh", r"\tanh", r"\coth")
 _SPEEDS = (r"\omega", r"\Omega")
 _TIMES = ("t", r"\tau")
 RUNNING = (*"xyz", *_TIMES, r"\varphi", r"\phi", r"\theta", r"\vartheta", r"\psi", r"\alpha")
@@ -65,14 +66,17 @@ def find_factors(prints: Iterable[str], numbers: Collection[str] = ()) -> tuple[
 def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
     r"""Return the pairs of letters that make an angle: \cos\omega t, or \sin bx and \cos bx.
 
-    Further pairs are a letter and \pi, a letter and a variable of a limit or derivative, and the
-    letters of a ratio of fixed letters and a running one, \sin\frac{2\pi}Tt.
+    Further pairs are a letter and \pi, or a variable of a limit, derivative or integral, and the
+    letters of a ratio of fixed letters and a running one, \sin\frac{2\pi}Tt. Letters in a bracket
+    count one by one, \cos(a+b)x.
     """
     met: list[tuple[str, str]] = []
     found: set[tuple[str, str]] = set()
     for texts in map(list_signs, prints):
         going = {"".join(texts[n + 3 : n + 4]) for n, x in enumerate(texts) if x == r"\lim"}
         going |= {by for *two, by in zip(texts, texts[1:], texts[2:], strict=False) if two == _BY}
+        begin = texts.index(r"\int") if r"\int" in texts else len(texts)
+        going |= {by for d, by in pairwise(texts[begin:]) if d == "d"}
         for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
             n = skip_power(texts, start + 1)
             while texts[n : n + 1] and is_digit(texts[n]):
@@ -81,6 +85,12 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
             met.append((one, other))
             if one in _RATES and other in going:
                 found.add((one, other))
+            inside = texts[n : n + find_close(texts[n:])] if one == "(" else []
+            rates = {text for text in inside if begins_letter(text)}
+            behind = "".join(texts[n + len(inside) + 1 : n + len(inside) + 2])
+            if rates <= {*_RATES}:
+                met += [(rate, behind) for rate in rates]
+                found |= {(rate, behind) for rate in rates if behind in (*going, r"\pi")}
             if texts[start] not in _OF_ANGLES:
                 continue
             if one == r"\pi" or (other == r"\pi" and one.isalpha()):
