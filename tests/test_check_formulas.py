@@ -57,6 +57,17 @@ PAIRS = [
         r"\frac13",
         (r"n\in\mathbb N",),
     ),
+    (
+        r"\int_0^\infty\frac{\sin ax}{x(x^2+b^2)}\,dx=\frac\pi{2b^2}(1%se^{-ab})",
+        "-",
+        "+",
+        ("a>0", "b>0"),
+    ),
+    (r"\int_0^\infty\frac{x^3}{\sinh x}\,dx=%s", r"\frac{\pi^4}8", r"\frac{\pi^4}{16}", ()),
+    (r"\int_0^\infty\frac{x^2e^x}{(e^x-1)^2}\,dx=%s", r"\frac{\pi^2}3", r"\frac{\pi^2}6", ()),
+    # Tangents that are infinite at an end.
+    (r"\int_0^{\pi/2}\frac{dx}{1+\tan^3x}=%s", r"\frac\pi4", r"\frac\pi3", ()),
+    (r"\int_0^{\pi/2}\frac{dx}{1+\sqrt{\tan x}}=%s", r"\frac\pi4", r"\frac\pi3", ()),
     # Over whole periods an angle is counted from anywhere, and once instead of n times.
     (r"\int_0^\pi|\cos nx|\,dx=%s", "2", "2n", (r"n\in\mathbb N",)),
     (r"\int_0^{2\pi}|\sin nx|\,dx=%s", "4", "2", (r"n\in\mathbb N",)),
@@ -115,6 +126,7 @@ PAIRS = [
 ]
 # Prints with the conditions stated, under which they are not true everywhere.
 WRONG = [
+    (r"\int_0^{\pi/2}\frac{dx}{1+2\sqrt{\tan x}}=\frac\pi4", ()),
     (r"\cos A+\cos B+\cos C>1", (r"A+B+C=\pi", r"A\ge0", r"B\ge0", r"C\ge0")),
     (r"\sin A+\sin B>\sin(A+B)", (r"A+B\le\pi", r"A\ge0", r"B\ge0")),
     (r"\sin A+\sin B\ge\sin(A-B)+1", (r"A+B\le\pi", "A>0", "B>0")),

@@ -33,8 +33,9 @@ def is_improper(integral: sp.Integral) -> bool:
     (variable, *limits), *others = integral.limits
     if others or len(limits) != 2:
         return False
-    factors = sp.Mul.make_args(integral.function)
-    there = (factor.subs(variable, limit) for limit in limits for factor in factors)
+    # A tangent may be infinite where the integrand itself is not: 1/(1 + tan(x)).
+    parts = (*sp.Mul.make_args(integral.function), *integral.function.atoms(sp.tan, sp.cot))
+    there = (part.subs(variable, limit) for limit in limits for part in parts)
     return (
         any(limit.is_infinite for limit in limits)
         or any(value.has(sp.oo, -sp.oo, sp.zoo, sp.nan) for value in there)

@@ -220,6 +220,9 @@ def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | N
     is_met = is_shown_there(Slack(running, False), inside)
     if not is_met or find_break(running, variable, inside) is not None:
         return None
+    if is_shown_there(Slack(sp.tan(variable), True), inside):
+        t = sp.Dummy("t", positive=True)
+        sides = tuple(x.xreplace({sp.tan(variable): t, sp.cot(variable): 1 / t}) for x in sides)
     is_constant = decide_equal(*sides, inside) or decide_by_logarithms(*sides, inside)
     return (upper - lower) * middle if is_constant else None
 

@@ -27,7 +27,7 @@ _ANY = sp.Wild("a", exclude=(X,))
 # With whole exponents the integrals are elementary, and found without this table.
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
-_M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: not number.is_Integer])
+_M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: number == 1 or not number.is_Integer])
 _N = sp.Wild("n", properties=[lambda number: number.is_Integer and number.is_positive])
 _COUNT = sp.Wild("n", properties=[lambda number: number.is_integer and number.is_nonnegative])
 _PI, _OO, _HALF = sp.pi, sp.oo, sp.S.Half
@@ -89,7 +89,6 @@ KNOWN = (
     KnownIntegral(sp.log(1 + X) / X, (0, 1), _PI**2 / 12),
     KnownIntegral(sp.log(X) * sp.log(1 - X), (0, 1), 2 - _PI**2 / 6),
     KnownIntegral(sp.log(1 - X) / X, (0, 1), -(_PI**2) / 6),
-    _endless(sp.log(X) / (1 + X**2), sp.S.Zero),
     _endless(sp.log(X) / (_A**2 + X**2), _PI * sp.log(_A) / (2 * _A), _A),
     KnownIntegral(
         (X**_A - X**_B) / sp.log(X), (0, 1), sp.log((_A + 1) / (_B + 1)), (_A + 1, _B + 1)
@@ -127,6 +126,9 @@ KNOWN = (
         sp.cos(_A * X) / (_B**2 + X**2), _PI * sp.exp(-_A * _B) / (2 * _B), _B, nonnegative=(_A,)
     ),
     _endless(X * sp.sin(_A * X) / (_B**2 + X**2), _PI * sp.exp(-_A * _B) / 2, _A, _B),
+    _endless(
+        sp.sin(_A * X) / (X * (_B**2 + X**2)), _PI * (1 - sp.exp(-_A * _B)) / (2 * _B**2), _A, _B
+    ),
     _endless(sp.exp(-_A * X**2) * sp.cos(_B * X), _ROOT * sp.exp(-(_B**2) / (4 * _A)), _A),
     _endless(sp.exp(-_A * X**2 - _B / X**2), _ROOT * sp.exp(-2 * sp.sqrt(_A * _B)), _A, _B),
     _endless(sp.exp(-_B * X) * sp.sin(_A * X) / X, sp.atan(_A / _B), _B),
@@ -141,13 +143,13 @@ KNOWN = (
     KnownIntegral(
         sp.tan(X) ** _P, (0, _PI / 2), _PI / (2 * sp.cos(_PI * _P / 2)), (1 - _P, 1 + _P)
     ),
-    _endless(X**_A / (1 + X), -_PI / sp.sin(_PI * _A), 1 + _A, -_A),
     _endless(
         X**_ANY / (1 + X**_M), _PI / _M / sp.sin(_PI * (_ANY + 1) / _M), 1 + _ANY, _M - 1 - _ANY
     ),
     _endless(X**_N / (sp.exp(_A * X) - 1), _ZETA, _A),
     _endless(X**_N / (sp.exp(_A * X) + 1), (1 - 2**-_N) * _ZETA, _A),
-    _endless(X / sp.sinh(_A * X), _PI**2 / (4 * _A**2), _A),
+    _endless(X**_N / sp.sinh(_A * X), (2 - 2**-_N) * _ZETA, _A),
+    _endless(X**_N * sp.exp(X) / (sp.exp(X) - 1) ** 2, sp.factorial(_N) * sp.zeta(_N), _N - 1),
 )
 
 
