@@ -126,6 +126,9 @@ PAIRS = [
 ]
 # Prints with the conditions stated, under which they are not true everywhere.
 WRONG = [
+    (r"\lim_{x\to0}(-2)^x=1", ()),
+    (r"\lim_{n\to\infty}\frac1{\ln(2a^n)}=0", ("a>0",)),
+    (r"\lim_{n\to\infty}\frac1{\ln(a^n+b^n)}=0", ("a>b>0",)),
     (r"\int_0^{\pi/2}\frac{dx}{1+2\sqrt{\tan x}}=\frac\pi4", ()),
     (r"\cos A+\cos B+\cos C>1", (r"A+B+C=\pi", r"A\ge0", r"B\ge0", r"C\ge0")),
     (r"\sin A+\sin B>\sin(A+B)", (r"A+B\le\pi", r"A\ge0", r"B\ge0")),

@@ -222,12 +222,10 @@ def _find_sum(node: sp.Add, domain: Domain, depth: int) -> sp.Expr | None:
 def _find_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> sp.Expr | None:
     """Return the limit of a logarithm, whose argument is positive wherever it has a value."""
     inner = _find(argument, domain, depth)
-    if inner is None:
-        return None
+    if inner is None or inner == sp.oo:
+        return inner
     if inner == 0:
         return -sp.oo
-    if inner == sp.oo:
-        return sp.oo
     return sp.log(inner) if _direction(inner, domain) == 1 else None
 
 
@@ -346,5 +344,6 @@ def _find_order_of_logarithm(argument: sp.Expr, domain: Domain, depth: int) -> O
     if order is None or order.factor is None:
         return None
     if order.rate != 0:
-        return Order(sp.S.Zero, sp.S.One, sp.S.Zero, order.rate)
+        is_known = _direction(order.rate, domain) is not None
+        return Order(sp.S.Zero, sp.S.One, sp.S.Zero, order.rate) if is_known else None
     return Order(sp.S.Zero, sp.S.Zero, sp.S.One, order.power) if order.power != 0 else None

@@ -21,12 +21,13 @@ def find_smooth(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
     """Return the limit of a quotient of functions that are smooth around a point, or None."""
-    if isinstance(body, sp.Pow) and body.exp.has(variable):
-        logarithm = find_smooth(body.exp * sp.log(body.base), variable, point, domain)
-        return None if logarithm is None else sp.exp(logarithm)
     if point.is_infinite:
         # x tends to infinity as 1/x tends to zero.
         body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero
+    if isinstance(body, sp.Pow) and body.exp.has(variable):
+        logarithm = find_smooth(body.exp * sp.log(body.base), variable, point, domain)
+        is_met = logarithm is not None and is_positive(body.base.subs(variable, point), domain)
+        return sp.exp(logarithm) if is_met else None
     above, below = sp.fraction(sp.together(body))
     for _ in range(_MOST_DERIVATIVES):
         if not all(_is_smooth(part, variable, point, domain) for part in (above, below)):
