@@ -171,6 +171,8 @@ JUDGED = {
     r"\begin{align*}\sqrt{x^2}&=x\quad\text{for $x%s0$.}\end{align*}": (">", "<"),
     r"$$2\pi*x-\pi*%s=\pi*x$$": ("x", "x^2"),
     r"$$(3)2x=%sx$$": ("6", "5"),
+    r"$$\sqrt{x^2}=x\quad with\qquad x%s0$$": (">", "<"),
+    r"$$x\textsubscript{1}+x\textsubscript{$1$}=%sx_1$$": ("2", "3"),
     r"\begin{align*}\sin2x&=%s\sin x\cos x&&\text{(double angle)},\end{align*}": ("2", "3"),
     r"$$\sin^2x+\cos^2x=%s\text{ (loop 2)}$$": ("1", "2"),
     r"$$x+x=%sx\quad\text{(see Fig. 2)}$$": ("2", "3"),
@@ -195,6 +197,14 @@ def test_types_that_print_alike_and_dots_in_bold_are_one_letter() -> None:
     assert [str(row.outcome) for row in rows] == ["DEFINITION", "PROVED"]
     (row,) = check("paper.tex", VECTORS + E % r"\bm x=J\mathbf{\dot q}").rows
     assert str(row.outcome) == "not read"
+
+
+@pytest.mark.parametrize(("last", "outcome"), [("a", "PROVED"), ("c", "DEFINITION")])
+def test_vectors_may_have_the_arrow_of_esvect(last: str, outcome: str) -> None:
+    block = "%% mechproof\n%% \\vec a ; \\vec b ; \\vec c 3x1 : vectors\n%% end\n"
+    latex = rf"\vv{{a}}\cdot(\vv{{b}}\times\vv{{{last}}})=\vv{{a}}\cdot\vv{{a}}-\vv{{a}}^2"
+    (row,) = check("paper.tex", block + E % latex).rows
+    assert str(row.outcome) == outcome
 
 
 UNREAD = {

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from mechproof.latex.sentences import find_brace
+from mechproof.latex.words import ITALICS
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.macros import Macro
 
@@ -43,6 +44,7 @@ BUILT_IN: Mapping[str, Macro] = {
         for word in ("and", "or", "if", "for", "where")
     },
     **dict.fromkeys((r"\boxed", r"\Aboxed"), Macro("#1", ONE)),
+    r"\vv": Macro(r"\vec{#1}", ONE),
     r"\textcolor": Macro("#3", ("", None, None)),
     r"\lefteqn": Macro("#1", ONE),
     r"\MoveEqLeft": Macro("", ("",)),
@@ -68,6 +70,12 @@ _ALIKE = tuple(
         (r"\\(?:mspace|vspace\*?)\s*\{[^{}]*\}", " "),
         (r"\\hspace\*?\s*\{[^{}]*\}|\\hfill?(?![A-Za-z])", r"\\quad "),
         (r"\\(?:hbox|textnormal)(?=\s*\{)", r"\\text"),
+        (r"\\textsubscript\s*\{\$?(?P<below>[^{}$]*)\$?\}", r"_{\g<below>}"),
+        # A word in italics between wide gaps is no product.
+        (
+            rf"(?<=quad)\s*(?P<word>{'|'.join(ITALICS)})\s*(?=\\q?quad(?![A-Za-z]))",
+            r"\\text{ \g<word> }",
+        ),
         (r"\\lbrace(?![A-Za-z])", r"\\{"),
         (r"\\rbrace(?![A-Za-z])", r"\\}"),
         (r"\\begin\{array\}\s*\[[tcb]\]", r"\\begin{array}"),
