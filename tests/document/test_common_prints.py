@@ -249,3 +249,18 @@ def test_the_range_of_an_arccotangent_is_said(said: str, outcomes: list[str]) ->
         rf"\operatorname{{arccot}}(-k)={sign}\operatorname{{arccot}}k" for sign in (r"\pi-", "-")
     )
     assert judge_parts(block, *prints) == outcomes
+
+
+@pytest.mark.parametrize(
+    ("printed", "outcome"),
+    [
+        (r"tan(2x)=\frac{2\,tan(x)}{1-tan^2(x)}", "PROVED"),
+        (r"tan(2x)=\frac{2\,tan(x)}{1+tan^2(x)}", "REFUTED"),
+        # A declared name that is longer is no function.
+        (r"tan_1=2tan_1-tan_1", "PROVED"),
+    ],
+)
+def test_a_function_in_italics_is_declared_beside_its_letters(printed: str, outcome: str) -> None:
+    block = "%% mechproof\n%% t ; a ; n ; x ; tan_1 : numbers\n%% function tan is \\tan\n%% end\n"
+    (row,) = check("paper.tex", rf"{block}\[{printed}\]").rows
+    assert str(row.outcome) == outcome, row.reason

@@ -25,10 +25,11 @@ _SPACE = re.compile(r"\\[,:; ]|\\quad|~")
 
 def is_function(parser: Parser) -> bool:
     """Return whether a function starts here, rather than a longer declared name."""
-    declared = parser.names.match(parser.tokens, parser.place)
-    known = _function_sign(parser) in parser.functions or parser.find_spelled() is not None
+    declared, spelled = parser.names.match(parser.tokens, parser.place), parser.find_spelled()
+    if spelled:
+        return not (declared and declared.end >= parser.place + spelled[1])
     has_base = parser.text == r"\log" and parser.peek() == "_"
-    return declared is None and (known or has_base)
+    return declared is None and (has_base or _function_sign(parser) in parser.functions)
 
 
 def _function_sign(parser: Parser) -> str:
