@@ -56,7 +56,7 @@ def write_out(side: Any) -> Any:
     return side.doit() if isinstance(side, sp.MatrixExpr) else side
 
 
-def have_same_letters(sides: Sequence[Any], *, by_entry: bool = False) -> bool:
+def have_same_letters(sides: Sequence[Any], by_entry: bool = False) -> bool:
     """Return whether both sides are functions of the same letters, or all entries that differ."""
     shown = [*map(write_out, sides)] if by_entry else []
     if shown and all(isinstance(side, sp.MatrixBase) for side in shown):

@@ -340,8 +340,8 @@ class TaskMaker:
             return is_meant and (printed.announced.is_general or not printed.announced.is_case)
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        are_alike = have_same_letters(sides, by_entry=sign.role is Role.DERIVATIVE)
-        return are_alike and not ties_letters(sides, sign.worked_out)
+        by_entry = sign.role is Role.DERIVATIVE and sign.letter is not None
+        return not ties_letters(sides, sign.worked_out) and have_same_letters(sides, by_entry)
 
     def _is_either(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether a constraint between two compound sides may be a wrong identity."""
