@@ -329,3 +329,33 @@ def test_a_printed_matrix_has_a_value_at_a_place(latex: str, outcome: str) -> No
     block = "%% mechproof\n%% q : angle\n%% a : number\n%% s(q) : law\n%% end\n"
     (row,) = check("paper.tex", f"{block}$${latex}$$").rows
     assert row.outcome == outcome
+
+
+QUATERNIONS = r"""%% mechproof
+%% q ; p 1x4 : quaternions
+%% w ; x ; y ; z ; a ; b ; c : numbers
+%% \theta : angle
+%% \mathbf n ; \mathbf v 3x1 : vectors
+%% let \mathbf n=(a,b,c)
+%% end
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "outcome"),
+    [
+        ("q=[w,(x,y,z)]", r"|q|=\sqrt{w^2+x^2+y^2+z^2}", "PROVED"),
+        ("q=[w,(x,y,z)]", r"|q|=\sqrt{w^2+x^2+y^2-z^2}", "not judged"),
+        ("q=[w,(x,y,z)]", "q=(w,x,y,z)", "PROVED"),
+        (r"p=[\cos\theta,\sin\theta\,\mathbf n]", None, "PROVED"),
+        (r"p=[\cos\theta,\cos\theta\,\mathbf n]", None, "REFUTED"),
+        # Two vectors are a pair, or a product, and no longer vector.
+        ("q=[w,(x,y,z)]", r"(\mathbf n,\mathbf v)=0", "not read"),
+    ],
+)
+def test_a_vector_in_a_list_of_numbers_adds_its_entries(
+    first: str, second: str | None, outcome: str
+) -> None:
+    second = second or r"p=(\cos\theta,a\sin\theta,b\sin\theta,c\sin\theta)"
+    rows = check("paper.tex", rf"{QUATERNIONS}\[{first}\] \[{second}\]").rows
+    assert [row.outcome for row in rows] == ["DEFINITION", outcome]

@@ -60,6 +60,13 @@ def assemble(rows: Sequence[Sequence[Any]]) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(sp.Matrix.vstack(*(sp.Matrix.hstack(*row) for row in filled)))
 
 
+def give_list(values: Sequence[Any]) -> sp.ImmutableMatrix:
+    """Return a row; vectors in it beside numbers add their entries, as in [w, (x, y, z)]."""
+    is_mixed = not all(map(is_vector, values))
+    parts = (show_entries(x) if is_mixed and is_vector(x) else [x] for x in values)
+    return sp.ImmutableMatrix([[entry for part in parts for entry in part]])
+
+
 def _measure(entries: Sequence[Any], axis: int) -> int:
     """Return the number of rows (axis 0) or columns (axis 1) of blocks side by side."""
     sizes = {entry.shape[axis] for entry in entries if is_matrix(entry)} or {1}

@@ -290,7 +290,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     tree.Table: lambda meaning, node: matrix_meaning.assemble(
         [[*map(meaning.of, row)] for row in node.rows]
     ),
-    tree.Entries: lambda meaning, node: sp.ImmutableMatrix([[*map(meaning.of, node.parts)]]),
+    tree.Entries: lambda meaning, node: matrix_meaning.give_list([*map(meaning.of, node.parts)]),
     tree.Excerpt: matrix_meaning.give_excerpt,
     tree.Transposed: matrix_meaning.give_transposed,
     tree.Magnitude: matrix_meaning.give_magnitude,
