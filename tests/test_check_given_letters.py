@@ -216,6 +216,14 @@ def test_a_letter_may_have_a_nonzero_factor() -> None:
     assert judge(r"w=\frac{Bv}A", "Av=Bw", "A>0", "B<0").verdict == "REFUTED"
 
 
+def test_a_letter_that_is_not_negative_may_be_a_root() -> None:
+    where = (r"c^2=a^2+b^2-2ab\cos\gamma", "a>0", "b>0", "c>0")
+    assert judge(r"\cos\gamma=\frac{a^2+b^2-c^2}{2ab}", *where).verdict == "PROVED"
+    assert judge(r"\cos\gamma=\frac{a^2+b^2+c^2}{2ab}", *where).verdict == "REFUTED"
+    with pytest.raises(ValueError, match="it cannot be solved for a letter"):
+        judge(r"\cos\gamma=\frac{a^2+b^2-c^2}{2ab}", where[0], "c<0", r"a\notin\mathbb Z")
+
+
 def test_an_equation_that_gives_no_letter_is_refused() -> None:
     with pytest.raises(ValueError, match="it cannot be solved for a letter"):
         judge(r"w=\frac{Av}B", "Av=Bw")

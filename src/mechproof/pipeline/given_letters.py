@@ -57,9 +57,9 @@ def solve_equation(
     r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
     It is alone on a side, or it or its reciprocal has only a number as factor, or its range makes
-    it an inverse sine, cosine or tangent, or its factor is said to be nonzero, or to divide it, as
-    in a/\sin\alpha=b/\sin\beta. Of several, those that depend on other letters come
-    first, then those alone on a side, then the last by name.
+    it an inverse sine, cosine or tangent, or a square root, or its factor is said to be nonzero, or
+    to divide it, as in a/\sin\alpha=b/\sin\beta. Of several, those that depend on other letters
+    come first, then those alone on a side, then the last by name.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -71,6 +71,7 @@ def solve_equation(
         if factor.is_number and factor != 0:
             alone.append((letter, sp.expand(letter - sum_of_it / factor) ** power))
     alone = alone or [*_invert(equation, letters, said)]
+    alone = alone or [*_take_roots(rest, letters, said)]
     for letter in () if alone else letters[::-1]:
         factor = sp.together(rest.diff(letter))
         if not factor.has(letter) and _is_never_zero(sp.numer(factor), said):
@@ -109,17 +110,38 @@ def _invert(
         rate = sp.diff(wave.args[0], letter)
         if wave.args[0] != rate * letter or not rate.is_Rational:
             continue
-        own = [one.as_set() for one in said if one.free_symbols == {letter}]
+        own = _list_sets(letter, said)
         run = sp.imageset(letter, rate * letter, sp.Intersection(*own)) if own else sp.S.Reals
         if run.is_subset(values):
             yield letter, inverse(other / factor) / rate
 
 
+def _take_roots(
+    rest: sp.Expr, letters: Sequence[sp.Basic], said: Sequence[sp.Basic]
+) -> Iterator[tuple[sp.Basic, sp.Expr]]:
+    """Yield letters of which only the square occurs, and that are said not to be negative."""
+    for letter in letters:
+        own = _list_sets(letter, said)
+        square = rest.subs(letter, sp.sqrt(letter))
+        factor = square.diff(letter)
+        is_met = own and sp.Intersection(*own).is_subset(sp.Interval(0, sp.oo))
+        if is_met and factor.is_number and factor != 0:
+            yield letter, sp.sqrt(sp.expand(letter - square / factor))
+
+
 def _is_never_zero(factor: sp.Expr, said: Sequence[sp.Basic]) -> bool:
     """Return whether all factors are nonzero, by themselves or by what is said of them."""
-    own = [(*one.free_symbols, one.as_set()) for one in said if len(one.free_symbols) == 1]
-    nonzero = {letter for letter, values in own if 0 not in values}
-    return all(x.is_nonzero or x in nonzero for x in sp.Mul.make_args(factor))
+    return all(
+        x.is_nonzero or (x.is_Symbol and any(0 not in values for values in _list_sets(x, said)))
+        for x in sp.Mul.make_args(factor)
+    )
+
+
+def _list_sets(letter: sp.Basic, said: Sequence[sp.Basic]) -> list[sp.Set]:
+    """List the sets to which inequalities of polynomials restrict a letter."""
+    own = (one for one in said if one.free_symbols == {letter})
+    plain = (one for one in own if all(side.is_polynomial(letter) for side in one.args))
+    return [one.as_set() for one in plain]
 
 
 def give_values(
