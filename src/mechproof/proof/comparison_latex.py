@@ -207,6 +207,8 @@ def _is_subtracted(term: sp.Expr) -> bool:
     return bool(term.as_coeff_Mul()[0].could_extract_minus_sign())
 
 
+# Cached, as terms are turned to be ordered and then to be written.
+@lru_cache(maxsize=1 << 12)
 def _turn(product: sp.Mul) -> sp.Expr:
     """Write (a - 1)/(b - 1) and (-a - b)*c as people do: (1 - a)/(1 - b) and -(a + b)*c."""
     found: dict[bool, list[sp.Expr]] = {True: [], False: []}
