@@ -81,6 +81,10 @@ CASES = {
         ["DEFINITION", "DEFINITION", "REFUTED", "not judged", "not read", "not read"],
     ),
     "a quantity that is given by itself": ([r"r=a+l r", r"r=a+k r"], ["ILL_FORMED", "DEFINITION"]),
+    "an assignment is no constraint, from which anything would follow": (
+        [r"x=x+r\varphi", r"l\varphi=2l\varphi", r"\beta=\beta+\varphi-\psi", r"x=2x-l", r"r=l-r"],
+        ["not judged", "not judged", "not judged", "DEFINITION", "DEFINITION"],
+    ),
     "an integral over a body has no derivative by what is printed of it": (
         [
             r"\int r^2\,dm=\frac13ml^2",

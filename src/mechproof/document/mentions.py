@@ -151,6 +151,21 @@ def says_constant(latex: str) -> bool:
     return bool(_CONSTANT.search(latex))
 
 
+def find_assignment(read: Print) -> str:
+    r"""Return the letter of an assignment such as x = x + d, "" if there is none.
+
+    A number that is added, q = q + 2\pi, may be a whole turn.
+    """
+    for chain in read.chains:
+        first, *others = chain.members
+        terms = others[0].terms if others and isinstance(others[0], tree.Add) else ()
+        is_equal = isinstance(first, tree.Letter) and chain.relations[0] == "="
+        rest = [node for one in terms if one != (1, first) for node in tree.walk(one[1])]
+        if is_equal and (1, first) in terms and any(isinstance(x, tree.Letter) for x in rest):
+            return read.cut(chain, 0, 0)
+    return ""
+
+
 def may_relate(latex: str) -> bool:
     """Return whether a print contains what may be a relation sign; an arrow is none."""
     return bool(_RELATION.search(latex))

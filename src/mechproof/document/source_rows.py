@@ -266,6 +266,9 @@ class Document:
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, _NO_RELATION)
         mentions.refuse_units(read)
+        if letter := mentions.find_assignment(read):
+            reason = f"an assignment: as an equation it would say nothing about {letter}"
+            return self._leave(printed, State.NOT_JUDGED, reason)
         mentions.refuse_units_in_italics(read)
         mentions.refuse_powers_of_zero(read)
         mentions.refuse_numbers_of_equations(read, self.printed)
