@@ -200,6 +200,22 @@ def test_units_in_italics_are_asked_for_and_products_are_not(printed: str, outco
     assert found[0] == outcome
 
 
+BELT = (
+    "%% mechproof\n%% D ; d : diameters [mm]\n%% T ; N ; p ; q : forces [N]\n"
+    "%% \\mu : number\n%% end\n"
+)
+FRICTION = r"\ln\frac qp=\int_p^q\frac{dT}T"
+
+
+@pytest.mark.parametrize(
+    ("printed", "outcome"),
+    [("dT=\\mu N", "not read"), (r"d\cdot T=D N", "DEFINITION"), ("dN=D T", "DEFINITION")],
+)
+def test_a_differential_is_no_product_with_a_diameter(printed: str, outcome: str) -> None:
+    assert judge_parts(BELT, printed)[0] != "not read"
+    assert judge_parts(BELT, FRICTION, printed)[1] == outcome
+
+
 INDEX_WORDS = r"""%% mechproof
 %% F_{max} ; F_\mathrm{min} : forces [N]
 %% s_\text{rel}(t) : way

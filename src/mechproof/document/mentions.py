@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from itertools import pairwise
 from typing import TypeVar
 
 import sympy as sp
@@ -37,6 +38,10 @@ _QUANTITY = re.compile(
     r"[-+]?\s*(?:\d[\d.]*|\d*\\pi|.*\))(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
 )
 _NO_PRODUCT = re.compile(r"\b(?:mm|rad|rpm|k?Hz|[kMG]Pa)\b")
+# A differential in an integral or a limit.
+_DIFFERENTIAL = re.compile(
+    r"\\(?:int|lim)(?![A-Za-z]).*?(?<![A-Za-z\\])d\s*(\\[A-Za-z]+|[A-Za-z])", re.DOTALL
+)
 # Signs of order, equality and the like: all those that are read, and others.
 _RELATION = re.compile(
     r"[=<>\u2200-\u22ff]|\\(?:n?[lg](?:e|eq|eqq|eqslant|t)|ne|neq|not|ll|gg|approx|equiv|n?sim|simeq"
@@ -112,6 +117,30 @@ def refuse_powers_of_zero(read: Print) -> None:
                 f"{printed}: a power that equals one, or an upper index?",
                 f"Declare it in the block of letters: {printed} : its meaning",
             )
+
+
+def refuse_differentials(read: Print, printed: Sequence[Printed]) -> None:
+    """Refuse dT as a product of declared letters if an integral or a limit has a dT, too."""
+    pairs = (
+        pair
+        for node in tree.walk(read.chains)
+        if isinstance(node, tree.Product)
+        for pair in pairwise(node.factors)
+        if all(isinstance(one, tree.Letter) for one in pair)
+    )
+    for one, other in pairs:
+        shown = read.source.latex[one.start : other.end]
+        if shown[:1] == "d" and shown[1:].strip() in _list_differentials(printed):
+            raise read.source.refuse(
+                one.start,
+                f"{shown}: a differential, as elsewhere, or a product?",
+                r"Print \cdot for the product; derivatives and integrals show differentials.",
+            )
+
+
+def _list_differentials(printed: Sequence[Printed]) -> set[str]:
+    """Return the letters whose differentials integrals and limits print."""
+    return {name for one in printed for name in _DIFFERENTIAL.findall(one.latex.string)}
 
 
 def refuse_pi(read: Print, said: Said | None) -> None:

@@ -272,6 +272,7 @@ class Document:
         mentions.refuse_units_in_italics(read)
         mentions.refuse_powers_of_zero(read)
         mentions.refuse_numbers_of_equations(read, self.printed)
+        mentions.refuse_differentials(read, self.printed)
         mentions.refuse_pi(read, self.pi)
         if branch is None and DOUBLE.search(latex):
             return find_double_signs(printed, read, reader, self.known, self.pairs)
