@@ -93,6 +93,7 @@ REFUSED = [
     (r"\mathrm 2", "2", "needs a letter or braces", ""),
     (r"\mathrm x", r"\mathrm x", "no meaning", "latex"),
     (r"a|x|y|x|", "y|x|", "which bars belong together", r"\left|"),
+    (r"\lim_{xk\to0}x", r"k\to0}x", "one letter that tends", r"\lim_{x\to a}"),
     (r"tgx", "tgx", "in italics", r"\tg"),
     (r"2cosx", "cosx", "in italics", r"\cos"),
     (r"\sum_{i=1}^2\sum_{i=1}^2 i", r"i=1}^2 i", "of an enclosing sum", "another letter"),

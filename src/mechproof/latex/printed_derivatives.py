@@ -245,7 +245,7 @@ def read_limit(parser: Parser) -> tree.Node:
 
 def _read_way(parser: Parser) -> tuple[tree.Letter, tree.Node, str]:
     by = parser.read_atom()
-    if not isinstance(by, tree.Letter) or by.indices:
+    if not isinstance(by, tree.Letter) or by.indices or parser.text != r"\to":
         raise parser.refuse("a limit needs one letter that tends to it", r"Print \lim_{x\to a}.")
     parser.take(r"\to")
     start, side = parser.start, _take_side(parser)
