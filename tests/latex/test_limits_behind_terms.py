@@ -23,6 +23,8 @@ ROWS = [
     (r"\ln(x)\Big|^{2}_{1}=\ln2", (PROVED,)),
     (r"\sin^2(x)|_{x=2}=\sin^22", (PROVED,)),
     (r"\sin^2(x)|_{x=2}=\sin2", (REFUTED,)),
+    (r"\int_0^1\int_0^1\int_0^1xyz\,dxdydz=\frac18", (PROVED,)),
+    (r"\int_0^1\int_0^1\int_0^1xyz\,dxdydz=\frac14", (REFUTED,)),
     (r"a\left[\sin2\varphi\right]_0^{\pi/4}=a", (PROVED,)),
     (r"\int_0^\infty x\mathrm e^{-x}\,dx=\left[-(x+1)\mathrm e^{-x}\right]_0^\infty", (PROVED,)),
     (r"\left[\frac x{x+1}\right]_0^\infty=1", (PROVED,)),

@@ -175,20 +175,21 @@ def _refuse_italics(parser: Parser) -> None:
     # The letters of \frac lg are separate arguments, not a word.
     tokens = zip(parser.tokens[parser.place :], found[0], strict=False)
     word = "".join(letter for _, letter in takewhile(lambda one: one[0].text == one[1], tokens))
-    # A product names no factor twice.
-    is_spelled = len(word) > _LONGEST and len({*word}) < len(word)
-    if word in ITALICS or is_spelled:
-        raise parser.refuse(
-            f"{word} in italics: a word or a product?",
-            rf"Print \text{{ {word} }}, or \cdot between the letters.",
-        )
     lengths = range(len(word), 1, -1)
     begun = (word[:n] for n in lengths if rf"\{word[:n]}" in parser.functions)
-    if name := next(begun, ""):
+    name = "" if word in ITALICS else next(begun, "")
+    if name:
         raise parser.refuse(
             f"{name} in italics: a function or a product?",
             rf"Print \{name}, or \cdot between the letters. "
             + parser.remedies.function.format(name).replace(rf"\{name}", name),
+        )
+    # A product names no factor twice, but an integral may print dxdydz.
+    is_spelled = len(word) > _LONGEST and len({*word}) < len(word)
+    if word in ITALICS or (is_spelled and not (parser.integrals and "d" in word)):
+        raise parser.refuse(
+            f"{word} in italics: a word or a product?",
+            rf"Print \text{{ {word} }}, or \cdot between the letters.",
         )
 
 
