@@ -21,20 +21,16 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.arithmetic.polynomials import cancel
+from mechproof.proof.coordinate_signs import find_sign_in
 from mechproof.proof.coordinates import (
     Coordinates,
-    free_tangents,
-    list_angles,
     list_by_values,
-    name_absolute_values,
-    name_positive,
     name_roots,
     replace_by_half_line,
     write_by_cosines,
-    write_by_half_angles,
 )
-from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
-from mechproof.record.parts import find_free, find_parts, find_roots, has_parts, replace_parts
+from mechproof.proof.polynomial_signs import StrictSign, sign_of_number
+from mechproof.record.parts import find_free, find_parts, find_roots, has_parts
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -272,7 +268,7 @@ def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> StrictSign | No
         return sign_of_number(expression)
     if has_parts(expression, sp.Sum, sp.Integral) or not is_workable(expression):
         return None
-    sign = _sign_in_coordinates(expression, domain)
+    sign = find_sign_in(_change_coordinates(expression, domain), expression)
     for symbol, end in _closed_right_ends(expression, domain) if sign else []:
         there = replace(domain, where=tuple(r.subs(symbol, end) for r in domain.where))
         at_end = _find_sign_with_ends(expression.subs(symbol, end), there)
@@ -296,33 +292,6 @@ def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Bas
         and where.end.is_finite
         and not (where.right_open or where.start.is_infinite)
     ]
-
-
-def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | None:
-    coordinates = _change_coordinates(expression, domain)
-    expression = name_positive(expression, coordinates)
-    changed = free_tangents(expression)
-    # Gaps are chained, as in R3 < R2 < R1, so replacements may contain letters to be replaced.
-    for _ in range(3):
-        changed = replace_parts(changed, coordinates.replacement)
-        if not changed.free_symbols & coordinates.replacement.keys():
-            break
-    radicands = {p.base for p in expression.atoms(sp.Pow) if not p.exp.is_integer}
-    if any(_may_hide_sign(base, coordinates) for base in radicands):
-        return None
-    changed = name_absolute_values(changed, coordinates)
-    sign = _sign_by_half_angles(changed, coordinates)
-    return sign if sign else sign_of_quotient(write_by_cosines(changed)[0], coordinates)
-
-
-def _may_hide_sign(radicand: sp.Expr, coordinates: Coordinates) -> bool:
-    """Return whether a factor of a radicand may be negative where another one is zero.
-
-    SymPy takes the other factor out of the root, as if the rest had a root there, too.
-    """
-    factors = sp.Mul.make_args(radicand.xreplace(coordinates.replacement))
-    may_vanish = any(factor in coordinates.nonnegative for factor in factors)
-    return may_vanish and not all(factor.is_nonnegative for factor in factors)
 
 
 def _change_coordinates(expression: sp.Expr, domain: Domain) -> Coordinates:
@@ -374,18 +343,3 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
 
 def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
     return not angle.atoms(sp.Function) and is_within_quarter_turn(angle, domain)
-
-
-def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
-    """Return the sign by half-angle tangents; they miss the half turn, which is checked apart."""
-    sign = sign_of_quotient(write_by_half_angles(expression), coordinates)
-    if sign is None or not sign.strict:
-        return sign
-    for angle in list_angles(expression):
-        there = expression.subs({sp.sin(angle): 0, sp.cos(angle): -1, sp.tan(angle): 0})
-        if there.has(sp.nan, sp.zoo):
-            continue
-        at_half_turn = _sign_by_half_angles(there, coordinates)
-        if at_half_turn is None or not at_half_turn.strict:
-            return StrictSign(sign.direction, False)
-    return sign
