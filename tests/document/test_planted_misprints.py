@@ -10,7 +10,7 @@ from small_papers import judge_parts, judge_rows
 
 from mechproof.document.checked_rows import CheckedRow
 from mechproof.document.checking import check
-from mechproof.document.context.judging_beside import judge_beside
+from mechproof.document.context.judging_by_constraints import judge_by_constraints
 from mechproof.document.judging_workers import Judging
 from mechproof.tools.processes import WorkerError
 
@@ -280,10 +280,10 @@ def test_what_took_too_long_supports_no_accusation(monkeypatch: pytest.MonkeyPat
     asked: list[Any] = []
 
     def answer(at: Judging, judge: Any, arguments: Any) -> Iterator[tuple[Any, Any]]:
-        if judge is judge_beside:
+        if judge is judge_by_constraints:
             asked.append(arguments)
         # The first question is what follows from the constraints, the second which ones it needs.
-        if judge is judge_beside and len(asked) > 1:
+        if judge is judge_by_constraints and len(asked) > 1:
             return ((one, WorkerError("no answer")) for one in arguments)
         return ask(at, judge, arguments)
 

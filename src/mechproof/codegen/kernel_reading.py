@@ -94,10 +94,10 @@ def _mean_module(kernels: Iterable[Kernel]) -> Meant:
         does = partial(_run_kernel, tape, code, names)
         inputs = (*code.arguments, "out")
         yield code.name, tape.run(does, inputs, defaults=(*defaults, show(None)))
-        yield from ((name, does) for name, does in _mean_beside(tape, code) if names[name] == name)
+        yield from ((name, does) for name, does in _mean_helpers(tape, code) if names[name] == name)
 
 
-def _mean_beside(tape: Tape, code: KernelCode) -> Meant:
+def _mean_helpers(tape: Tape, code: KernelCode) -> Meant:
     """Yield what the helper functions of a kernel are meant to do: check, preparation, form."""
     if code.inside:
         asked = replace(code.inside, inputs=(*code.masked, *code.terms))

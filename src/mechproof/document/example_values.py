@@ -141,8 +141,8 @@ def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> 
 
 def find_example(offset: int, printed: Sequence[Printed]) -> int:
     """Return the number of the example that contains the text at an offset, 0 for none."""
-    behind = (one for one in printed if one.latex.offsets[one.taken] > offset)
-    example = next((one.announced.example for one in behind), None)
+    after = (one for one in printed if one.latex.offsets[one.taken] > offset)
+    example = next((one.announced.example for one in after), None)
     return example.number if example and example.start <= offset else 0
 
 

@@ -202,16 +202,16 @@ def make_seams(
         for one, other in pairwise(pieces):
             if one.high is None:
                 continue
-            before, behind = (piece.value.xreplace({by: one.high}) for piece in (one, other))
+            before, after = (piece.value.xreplace({by: one.high}) for piece in (one, other))
             is_shared = one.is_closed[1] and other.is_closed[0]
             shown = [display for display in printed if display.name in (one.name, other.name)]
             row = Equation(
                 f"{known.name_law(letter)}, {letter} at {by} = {one.high}",
                 r"\quad ".join(display.latex.string for display in shown),
-                says=Equality(before, behind, "member"),
-                read_as=f"{before} = {behind}",
+                says=Equality(before, after, "member"),
+                read_as=f"{before} = {after}",
             )
-            sides = known.settle(before), known.settle(behind)
+            sides = known.settle(before), known.settle(after)
             letters = sides[0].free_symbols | sides[1].free_symbols
             paper = papers[not letters & known.symbols.bare]
             asserts = is_smooth or (is_shared and not order)

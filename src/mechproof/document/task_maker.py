@@ -301,8 +301,8 @@ class TaskMaker:
         if sign.letter is None or self.known.is_derived(sign.letter):
             return said.is_special or (said.is_new and said.is_other)
         is_beside = first is not None and first.group == printed.group
-        is_behind = first is None or first.announced.passage != said.passage
-        return is_beside or (is_behind and (said.is_case or said.is_new))
+        is_later = first is None or first.announced.passage != said.passage
+        return is_beside or (is_later and (said.is_case or said.is_new))
 
     def _is_after_words(self, printed: Printed, sign: Sign) -> bool:
         """Return whether words that say something new follow a definition of a sign's letters."""

@@ -299,9 +299,9 @@ def is_differential(parser: Parser) -> bool:
 
 def _is_needed(parser: Parser) -> bool:
     """Return whether the open integrals need every letter d up to the next relation sign."""
-    behind = takewhile(lambda token: token.text not in RELATIONS, parser.rest)
+    after = takewhile(lambda token: token.text not in RELATIONS, parser.rest)
     left = sum(opened.differential is None for opened in parser.integrals)
-    return sum(token.text == "d" for token in behind) <= left
+    return sum(token.text == "d" for token in after) <= left
 
 
 def read_differential(parser: Parser, opened: OpenIntegral) -> None:

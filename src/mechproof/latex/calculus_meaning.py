@@ -25,7 +25,7 @@ from mechproof.latex.values import (
     depends,
     differentiate,
     has_value,
-    list_beside,
+    list_carried,
     list_moving,
     list_reached,
     list_steps,
@@ -339,7 +339,7 @@ def _bind(
         if s != running and (s in meaning.values or s in variable.free_symbols)
         if depends(s, moving, meaning.values)
     ]
-    if caught := caught or list_beside(meaning, inside, variable):
+    if caught := caught or list_carried(meaning, inside, variable):
         raise meaning.source.refuse(
             place,
             f"{', '.join(caught)} in the integrand may vary with {variable}",

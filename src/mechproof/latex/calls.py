@@ -236,13 +236,13 @@ def _goes_on(parser: Parser, before: tree.Node, place: int) -> bool:
     letters += constants
     match = parser.names.match(parser.tokens, place)
     is_turn = match is None and parser.peek(place - parser.place) == r"\pi"
-    behind = match.name.symbol if match else sp.pi
+    after = match.name.symbol if match else sp.pi
     phases = parser.notation.phases
     is_open = not letters or any(isinstance(node, tree.Call) for node in nodes)
-    if is_open or not (match or is_turn) or any((one, behind) not in phases for one in letters):
+    if is_open or not (match or is_turn) or any((one, after) not in phases for one in letters):
         return False
-    begins = match and any(behind == first and other != sp.pi for first, other in phases)
-    return not (match and begins) or _goes_on(parser, tree.Letter(behind, ""), match.end)
+    begins = match and any(after == first and other != sp.pi for first, other in phases)
+    return not (match and begins) or _goes_on(parser, tree.Letter(after, ""), match.end)
 
 
 def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool:
@@ -316,8 +316,8 @@ def _is_quantity_after(parser: Parser, argument: tree.Node) -> bool:
     """
     known, nodes = parser.notation.dimensions, [*tree.walk(argument)]
     letters = [node.symbol for node in nodes if isinstance(node, tree.Letter)]
-    behind = {known.get(symbol) for symbol in _list_letters_after(parser)}
-    is_quantity = None not in behind and bool(behind - {NUMBER})
+    after = {known.get(symbol) for symbol in _list_letters_after(parser)}
+    is_quantity = None not in after and bool(after - {NUMBER})
     is_angle = bool(letters) or any(isinstance(node, tree.Degrees) for node in nodes)
     return is_quantity and is_angle and all(known.get(symbol) == NUMBER for symbol in letters)
 

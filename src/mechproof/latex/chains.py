@@ -39,23 +39,23 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
     """Read all chains of a print: of its lines, and of the steps in each line."""
     statements: list[Chain] = []
     lines = list(parser.lines)
-    for line, behind in zip(lines, [*lines[1:], None], strict=True):
+    for line, after in zip(lines, [*lines[1:], None], strict=True):
         if line.arrow and set(statements[-1].relations) - {"=", r"\equiv", r"\le", r"\ge"}:
             raise parser.refuse(
                 f"{line.arrow.text} has no meaning here",
                 r"Print the conclusion, and its condition after it: \text{ for }x>0.",
                 line.arrow.start,
             )
-        parser.begin(line.tokens, _find_end(parser, behind))
+        parser.begin(line.tokens, _find_end(parser, after))
         statements += _read_line(parser)
     return tuple(statements)
 
 
-def _find_end(parser: Parser, behind: Line | None) -> int:
+def _find_end(parser: Parser, after: Line | None) -> int:
     """Return where a line ends in the source: in front of the line `behind`, if there is one."""
-    if behind is None:
+    if after is None:
         return len(parser.source.latex)
-    return behind.arrow.start if behind.arrow else behind.tokens[0].start
+    return after.arrow.start if after.arrow else after.tokens[0].start
 
 
 def _read_line(parser: Parser) -> tuple[Chain, ...]:
@@ -229,5 +229,5 @@ def _cuts(node: Node, start: int, end: int) -> bool:
     if not inside:
         return False
     (sign, first), is_sign_inside = inside[0], inside[0][1].start > start
-    is_behind = first is not node.terms[0][1]
-    return (is_sign_inside and is_behind) or (len(inside) > 1 and sign < 0 and not is_sign_inside)
+    is_later = first is not node.terms[0][1]
+    return (is_sign_inside and is_later) or (len(inside) > 1 and sign < 0 and not is_sign_inside)

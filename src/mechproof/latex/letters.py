@@ -125,10 +125,10 @@ def read_argument_after(parser: Parser, raised: Power | Transposed) -> Node:
 
 def _may_be_called(parser: Parser) -> bool:
     r"""Return whether a bracket after a matrix may be its argument: R(2\theta), not A(x+y)."""
-    bracket, behind = _look_at_bracket(parser)
+    bracket, after = _look_at_bracket(parser)
     if not isinstance(bracket, Bracket):
         # A column is printed as (x,y)^T.
-        return isinstance(bracket, Entries) and behind != "^"
+        return isinstance(bracket, Entries) and after != "^"
     inside = bracket.inside
     is_product = isinstance(inside, Add) and is_no_argument(inside, parser.notation, moves=False)
     return isinstance(inside, Letter) or not (is_product or any(map(shows_matrix, walk(inside))))

@@ -90,6 +90,6 @@ def may_follow(parser: Parser, left: Node) -> bool:
     """
     if not isinstance(left, Letter):
         return isinstance(left, Bracket)
-    behind = dropwhile(is_digit, (token.text for token in parser.rest))
+    after = dropwhile(is_digit, (token.text for token in parser.rest))
     counts = left.text in parser.factors and (parser.collects or bool(left.symbol.is_integer))
-    return counts and next(behind, "") == "^"
+    return counts and next(after, "") == "^"

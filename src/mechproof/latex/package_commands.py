@@ -138,8 +138,8 @@ def write_out(latex: str) -> str:
             inside = [latex[x[0].start : x[-1].end] if x else "" for x in arguments]
             parts = _NUMBERED.split(body)
             parts[1::2] = [write_out(inside[int(number) - 1]) for number in parts[1::2]]
-            before, behind = latex[: sign.start], latex[signs[end - 1].end :]
-            return join([before, *parts, write_out(behind)])
+            before, after = latex[: sign.start], latex[signs[end - 1].end :]
+            return join([before, *parts, write_out(after)])
     return latex
 
 

@@ -58,8 +58,8 @@ def read_indexed(parser: Parser, term: Node) -> Node:
 
     With "for x=0" it would mean the largest value in that case.
     """
-    start, behind = parser.start, [token.text for token in parser.rest]
-    if _AT not in behind or "=" not in behind[behind.index(_AT) :]:
+    start, after = parser.start, [token.text for token in parser.rest]
+    if _AT not in after or "=" not in after[after.index(_AT) :]:
         raise parser.refuse(
             "an index after a bracket: at which place is its value meant?",
             r"Print the place after the equation, \text{ at }x=0; or state the largest value "

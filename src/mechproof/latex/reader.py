@@ -51,10 +51,10 @@ class Print:
                 break
             start = before.start()
         while _count(_OPENING, latex[start:end]) > _count(_CLOSING, latex[start:end]):
-            behind = _CLOSING.search(latex, end)
-            if behind is None:
+            after = _CLOSING.search(latex, end)
+            if after is None:
                 break
-            end = behind.end()
+            end = after.end()
         return latex[start:end].strip()
 
 

@@ -48,9 +48,9 @@ def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
     end = next((n for n, (depth, _) in enumerate(levels) if n and depth == 0), None)
     if end is None or tokens[0].text not in kinds:
         return []
-    behind = next((t.text for t in tokens[end + 1 :] if t.text not in GAPS.values()), ",")
+    after = next((t.text for t in tokens[end + 1 :] if t.text not in GAPS.values()), ",")
     inside = any(depth == 1 and token.text in RELATIONS for depth, token in levels[:end])
-    if not inside or behind not in (",", ";", ".", "("):
+    if not inside or after not in (",", ";", ".", "("):
         return []
     rows: list[list[Token]] = [[]]
     for depth, token in levels[1:end]:
@@ -83,8 +83,8 @@ def _part_cells(row: Sequence[Token]) -> Iterator[Token]:
         if depth or token.text != "&":
             yield token
             continue
-        before, behind = _find_neighbours(row, place)
-        if not before or before in _SIGNS or behind in (*_SIGNS, "&", ""):
+        before, after = _find_neighbours(row, place)
+        if not before or before in _SIGNS or after in (*_SIGNS, "&", ""):
             continue
         yield replace(token, text=",")
 
@@ -92,8 +92,8 @@ def _part_cells(row: Sequence[Token]) -> Iterator[Token]:
 def _find_neighbours(row: Sequence[Token], place: int) -> tuple[str, str]:
     plain = [(n, token.text) for n, token in enumerate(row) if token.text not in GAPS.values()]
     before = [text for n, text in plain if n < place]
-    behind = [text for n, text in plain if n > place]
-    return before[-1] if before else "", behind[0] if behind else ""
+    after = [text for n, text in plain if n > place]
+    return before[-1] if before else "", after[0] if after else ""
 
 
 def _split_steps(row: Sequence[Token]) -> Iterator[Line]:

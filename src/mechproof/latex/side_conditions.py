@@ -163,8 +163,8 @@ def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
     """
     statements: list[Chain] = []
     conditions: list[Chain] = []
-    before, behind = _split_leading([*_share_relations(parser, parts)])
-    for part in behind:
+    before, rest = _split_leading([*_share_relations(parser, parts)])
+    for part in rest:
         own = statements[-1].condition if statements else None
         if own and _is_value(part.chain, own, *statements):
             statements[-1] = _narrow(statements[-1], [part.chain])

@@ -130,8 +130,8 @@ class _Normaliser:
                 raise self.source.refuse(mark.start, f"a second {mark.text} at the same sign")
             found[mark.text] = [mark, *self._read_argument()]
         first = min(signs[0].start for signs in found.values())
-        behind = self._peek()
-        if behind != "}" and not left_scripts.may_begin(behind):
+        after = self._peek()
+        if after != "}" and not left_scripts.may_begin(after):
             raise self.source.refuse(first, f"nothing precedes this {next(iter(found))}")
         return [Token(LEFT, start, start), *found.get("^", []), *found.get("_", [])]
 

@@ -147,11 +147,11 @@ def _is_operand(parser: Parser) -> bool:
     At the end they may name what is left out, or what is meant: "constant over time".
     """
     texts = ["", *(token.text for token in parser.tokens), ""]
-    before, behind = texts[parser.place], texts[parser.place + 2]
-    if not behind:
+    before, after = texts[parser.place], texts[parser.place + 2]
+    if not after:
         return before in _FACTORS
     begins = before in ("", "{", "(", *_BETWEEN, *RELATIONS)
-    return begins and behind in ("}", ")", *_BETWEEN, *RELATIONS)
+    return begins and after in ("}", ")", *_BETWEEN, *RELATIONS)
 
 
 def _is_unsure(parser: Parser) -> bool:

@@ -149,7 +149,7 @@ def refuse_unknown(meaning: Meaning, place: int, said: tuple[Any, str], by: sp.B
         )
 
 
-def list_beside(meaning: Meaning, term: Any, by: sp.Basic) -> list[str]:
+def list_carried(meaning: Meaning, term: Any, by: sp.Basic) -> list[str]:
     """Return the letters of a term that have no value but depend on the carrier of `by`."""
     carrier = _find_carrier(by, meaning.moving)
     beside = {carrier} | list_moving(carrier, meaning.moving)

@@ -195,8 +195,8 @@ class _Shown:
         if decimals:
             bare = self.value / balls.evaluate_until(UNITS[unit], {}, _BITS)
             return str(_round(bare, int(decimals)))
-        behind = unit if unit in ("", "°") else f" {unit}"
-        return f"{_round(self.value, self.check.decimals)}{behind}"
+        after = unit if unit in ("", "°") else f" {unit}"
+        return f"{_round(self.value, self.check.decimals)}{after}"
 
 
 def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> LedgerCost:

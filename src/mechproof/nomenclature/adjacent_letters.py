@@ -45,9 +45,9 @@ def find_factors(prints: Iterable[str], numbers: Collection[str] = ()) -> tuple[
         ends = ((x, skip_power(texts, end)) for x, end in list_letters(texts))
         met = [(letter, n, texts[n : n + 1]) for letter, n in ends]
         around = {n: {by for low, high, by in spans if low < n <= high} for _, n, _ in met}
-        bare |= {letter for letter, _, behind in met if behind != ["("]}
-        beside = {letter for letter, n, behind in met if behind != ["("] and not around[n]}
-        for letter, n in ((letter, n) for letter, n, behind in met if behind == ["("]):
+        bare |= {letter for letter, _, after in met if after != ["("]}
+        beside = {letter for letter, n, after in met if after != ["("] and not around[n]}
+        for letter, n in ((letter, n) for letter, n, after in met if after == ["("]):
             inside = texts[n : n + find_close(texts[n:])]
             argument = {*inside} & {*RUNNING, *around[n]}
             is_bound = letter in beside and bool(argument) and argument <= around[n]
@@ -87,10 +87,10 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
                 found.add((one, other))
             inside = texts[n : n + find_close(texts[n:])] if one == "(" else []
             rates = {text for text in inside if begins_letter(text)}
-            behind = "".join(texts[n + len(inside) + 1 : n + len(inside) + 2])
+            after = "".join(texts[n + len(inside) + 1 : n + len(inside) + 2])
             if rates <= {*_RATES}:
-                met += [(rate, behind) for rate in rates]
-                found |= {(rate, behind) for rate in rates if behind in (*going, r"\pi")}
+                met += [(rate, after) for rate in rates]
+                found |= {(rate, after) for rate in rates if after in (*going, r"\pi")}
             if texts[start] not in _OF_ANGLES:
                 continue
             if one == r"\pi" or (other == r"\pi" and one.isalpha()):
@@ -127,12 +127,12 @@ def _find_ratio(texts: Sequence[str]) -> Iterator[tuple[str, str]]:
     """
     middle = find_close(texts[1:]) + 2
     end = find_close(texts[middle:]) + middle
-    behind = "".join(texts[end + 1 : end + 2])
+    after = "".join(texts[end + 1 : end + 2])
     parts = (texts[:middle], texts[middle:end])
     over, under = ({letter for letter, _ in list_letters(part)} for part in parts)
-    is_rate = bool(under) or over <= {r"\pi", *_SPEEDS} or behind == r"\pi"
-    if behind in (*RUNNING, r"\pi") and is_rate and all(map(_is_fixed, over | under)):
-        yield from ((letter, behind) for letter in over | under)
+    is_rate = bool(under) or over <= {r"\pi", *_SPEEDS} or after == r"\pi"
+    if after in (*RUNNING, r"\pi") and is_rate and all(map(_is_fixed, over | under)):
+        yield from ((letter, after) for letter in over | under)
 
 
 def _is_fixed(letter: str) -> bool:

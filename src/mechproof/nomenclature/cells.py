@@ -24,7 +24,7 @@ _UNIT = re.compile(
     r"|\bin\b(?P<d>.+))[\s$]*\Z",
     re.DOTALL,
 )
-_WORDS = re.compile(r"(?P<before>[^$]*)\$(?P<letter>[^$]+)\$(?P<behind>[^$]*)\Z")
+_WORDS = re.compile(r"(?P<before>[^$]*)\$(?P<letter>[^$]+)\$(?P<after>[^$]*)\Z")
 _NUMBER = re.compile(
     r"(?P<sign>[-+\u2212]?)(?P<digits>\d+(?:\.\d+)?)"
     r"(?:(?:\\cdot|\\times|[x\u00d7·])10\^?\{?(?P<ten>[-+\u2212]?\d+)\}?|[eE](?P<power>[-+]?\d+))?"
@@ -141,10 +141,10 @@ def _read_among_words(text: str, reader: Reader) -> Head | None:
     letter = _find_letter(words["letter"], reader) if words else None
     if words is None or letter is None:
         return None
-    behind = words["behind"]
-    unit = _UNIT.search(behind)
+    after = words["after"]
+    unit = _UNIT.search(after)
     known = find_unit(next(filter(None, unit.groups()), "")) if unit else None
-    rest = behind[: unit.start()] if unit and known else behind
+    rest = after[: unit.start()] if unit and known else after
     said = " ".join(f"{words['before']} {rest}".replace("~", " ").split()).strip(" ,:")
     return Head(letter, words["letter"].strip(), known, said)
 

@@ -49,8 +49,8 @@ def find_counts(prints: Iterable[str], said: Iterable[str]) -> tuple[str, ...]:
             if text == "!":
                 found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
             if texts[place : place + 5] == ["(", "-", "1", ")", "^"]:
-                behind = texts[place + 5 : place + 5 + find_close(texts[place + 5 :])]
-                found |= dict.fromkeys(sign for sign in behind if sign in _LAST)
+                after = texts[place + 5 : place + 5 + find_close(texts[place + 5 :])]
+                found |= dict.fromkeys(sign for sign in after if sign in _LAST)
             if text == r"\dots":
                 found |= dict.fromkeys(_letters_of_last(texts[place + 1 :]))
             if texts[place : place + 4] == ["{", "d", "^", "{"]:
@@ -78,10 +78,10 @@ def find_counted(text: str, prints: Iterable[str]) -> Iterator[str]:
 
 def _letters_of_last(texts: list[str]) -> Iterator[str]:
     """Yield the letters of a last term, or of its index if it has one."""
-    behind = [*takewhile(lambda sign: sign not in _RELATIONS, texts)]
-    inside = list(accumulate(behind, _step_index, initial=False))[1:]
-    indices = [sign for sign, is_index in zip(behind, inside, strict=True) if is_index]
-    yield from (sign for sign in (indices or behind) if sign in _LAST)
+    after = [*takewhile(lambda sign: sign not in _RELATIONS, texts)]
+    inside = list(accumulate(after, _step_index, initial=False))[1:]
+    indices = [sign for sign, is_index in zip(after, inside, strict=True) if is_index]
+    yield from (sign for sign in (indices or after) if sign in _LAST)
 
 
 def _step_index(is_inside: bool, sign: str) -> bool:
@@ -118,8 +118,8 @@ def _letters_of_congruence(texts: list[str]) -> Iterator[str]:
         return
     for place, text in enumerate(texts):
         if begins_letter(text) and text not in modulo.SIGNS and "_" not in texts[place - 2 : place]:
-            behind = texts[place + 1 :]
-            index = behind[: behind.index("}") + 1] if behind[:1] == ["_"] else []
+            after = texts[place + 1 :]
+            index = after[: after.index("}") + 1] if after[:1] == ["_"] else []
             yield "".join((text, *index))
 
 

@@ -23,13 +23,13 @@ def find_bracketed(prints: Iterable[str]) -> frozenset[str]:
 
 def _list_brackets(prints: Iterable[str]) -> dict[str, set[str]]:
     """Return each letter with the round brackets printed after it, "" for none."""
-    behind: dict[str, set[str]] = defaultdict(set)
+    after: dict[str, set[str]] = defaultdict(set)
     for texts in _read_signs(prints):
         for letter, end in list_letters(texts):
             rest = texts[skip_power(texts, end) :]
             has_bracket = rest[:1] == ["("]
-            behind[letter].add("".join(rest[: find_close(rest)]) if has_bracket else "")
-    return behind
+            after[letter].add("".join(rest[: find_close(rest)]) if has_bracket else "")
+    return after
 
 
 def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
@@ -46,15 +46,15 @@ def find_defined(prints: Sequence[str]) -> Iterator[tuple[str, str]]:
         close = end + find_close(texts[end:])
         inside = texts[end + 1 : close]
         arguments = [x for x, _ in list_letters(inside)]
-        behind = {x for x, _ in list_letters(texts[close + 2 :])}
+        after = {x for x, _ in list_letters(texts[close + 2 :])}
         # If the letter itself is on the right, as in v(t)=v+at, it is a different one.
-        is_timed = letter in timed and inside == ["t"] and letter not in behind
+        is_timed = letter in timed and inside == ["t"] and letter not in after
         if (
             (letter in bracketed or is_timed)
             and texts[: end + 1] == [*list_signs(letter), "("]
             and texts[close + 1 : close + 2] == ["="]
             and ",".join(arguments) == "".join(inside)
-            and not behind.isdisjoint(arguments)
+            and not after.isdisjoint(arguments)
         ):
             yield letter, "".join(inside)
 

@@ -67,8 +67,8 @@ _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}
 _QUANTITY = re.compile(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{([^{}]*)\}|\\ang\s*\{([^{}]*)\}")
-_SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<behind>.{1,30})", re.S)
-_BEHIND = 30
+_SAID = re.compile(r"(?<![\w.,^{}/])(?P<digits>\d+(?:[.,]\d+)?)(?![\w])(?P<after>.{1,30})", re.S)
+_AFTER = 30
 # Where the unit after a number may end; not after the word "in", which is not an inch.
 _ENDS = re.compile(r"(?<! in)(?=[\s.,;:)])|\Z")
 
@@ -114,12 +114,12 @@ def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
         inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
         offset = source.text.offsets[match.start()]
         line = source.files.locate(offset).line
-        behind, _ = _find_unit_after(text[match.end() : match.end() + _BEHIND])
+        after, _ = _find_unit_after(text[match.end() : match.end() + _AFTER])
         before = _drop_joined(text[max(match.start() - _FAR, 0) : match.start()])[-_BEFORE:]
         sentence = before.rpartition(".")[2] + text[match.end() :][:_BEFORE].partition(".")[0]
         is_varying = bool(_VARYING.search(sentence)) and not _STEADY.search(sentence)
         for letter, value, others, by in _read_equations(expand(inside, macros).string, names):
-            number, unit = read_quantity(value, name_unit(behind))
+            number, unit = read_quantity(value, name_unit(after))
             is_case = (letter in letters and bool(_CASE.search(before))) or defines_nothing(before)
             words = (is_case, is_varying, match.end(), offset)
             yield Inline(letter, value, line, number, unit, *words, others, by)
@@ -174,12 +174,12 @@ def _find_unit_after(text: str) -> tuple[str, Unit]:
     return next(((printed, unit) for printed, unit in units if unit), ("", ONE))
 
 
-def read_quantity(value: str, behind: str = "") -> tuple[Numeral | None, str]:
+def read_quantity(value: str, after: str = "") -> tuple[Numeral | None, str]:
     """Return a number and its unit, which may follow it as `behind`; (None, "") if none."""
     plain = _UPRIGHT.sub(r"\\mathrm{\1}", value)
     plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], plain)
-    if behind and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
-        plain = rf"{bare}\,\mathrm{{{behind}}}"
+    if after and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):
+        plain = rf"{bare}\,\mathrm{{{after}}}"
     number = read_numeral(plain, decimal_comma="{,}" in plain)
     unit = name_unit(_DIGITS.sub("", plain)) if number and number.unit else ""
     return number, _MEANT.get(unit, unit)
@@ -221,7 +221,7 @@ def find_quantities(source: Source) -> Iterator[SaidQuantity]:
     """Yield the numbers with a unit outside displays."""
     text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
     for match in _SAID.finditer(text):
-        printed, unit = _find_unit_after(match["behind"])
+        printed, unit = _find_unit_after(match["after"])
         if printed:
             line = source.files.locate(source.text.offsets[match.start()]).line
             shown = f"{match['digits']}{printed}".replace("$", "").strip()

@@ -315,8 +315,8 @@ def find_places(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
     """Return the letters after which brackets contain only places, 0 or parts of pi."""
     found = []
     for letter in letters:
-        behind = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{_BRACKET.pattern}")
-        inner = [match["inner"] for latex in prints for match in behind.finditer(latex)]
+        after = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{_BRACKET.pattern}")
+        inner = [match["inner"] for latex in prints for match in after.finditer(latex)]
         if inner and all(map(_PLACE.fullmatch, inner)):
             found.append(letter)
     return found

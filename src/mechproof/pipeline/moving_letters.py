@@ -49,8 +49,8 @@ def find_functions(prints: Sequence[str], others: Iterable[str]) -> dict[str, st
     indexed = {text for texts in split for text, mark in pairwise(texts) if mark == "_"}
     for texts in split:
         for place, text in enumerate(texts):
-            behind = texts[find_end(texts, place) :]
-            by = behind[1] if behind[:1] == ["("] and behind[2:3] == [")"] else ""
+            after = texts[find_end(texts, place) :]
+            by = after[1] if after[:1] == ["("] and after[2:3] == [")"] else ""
             is_letter = text in _FUNCTIONS or (by == "t" and begins_letter(text))
             if by in RUNNING and is_letter and text not in (*others, *indexed, by):
                 found.setdefault(text, by)

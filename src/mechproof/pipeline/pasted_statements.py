@@ -81,7 +81,7 @@ _GAP = r"(?:[\s,]|\\q?quad|\\[,;\s]|\\text\{\s*(?:as|for)?\s*\})*"
 _REMAINDER = re.compile(
     r"\+\s*(?P<kind>O|o|\\mathcal\s*\{?O\}?)\s*(?:\\left|\\bigl)?\s*\(\s*"
     r"(?P<by>[A-Za-z]|\\[a-z]+)\s*(?:\^\s*\{?(?P<power>\d+)\}?)?\s*(?:\\right|\\bigr)?\s*\)"
-    rf"(?:{_GAP}\(?\s*(?P=by)\s*\\to\s*0\s*\)?)?(?P<behind>\s*(?:,|\\q?quad|\\text).*)?\s*\Z"
+    rf"(?:{_GAP}\(?\s*(?P=by)\s*\\to\s*0\s*\)?)?(?P<after>\s*(?:,|\\q?quad|\\text).*)?\s*\Z"
 )
 
 
@@ -109,7 +109,7 @@ def take_remainder(latex: str) -> tuple[str, Remainder | None]:
     difference = rf"\left({left.strip()}\right)-\left({right.strip()}\right)"
     by, power = found["by"], int(found["power"] or 1)
     limit = rf"\lim_{{{by}\to0}}\frac{{{difference}}}{{{by}^{{{power}}}}}=0"
-    return limit + (found["behind"] or ""), Remainder(power, found["kind"] != "o")
+    return limit + (found["after"] or ""), Remainder(power, found["kind"] != "o")
 
 
 def give_limits(

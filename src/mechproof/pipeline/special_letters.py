@@ -97,13 +97,13 @@ def _list_letters(texts: Sequence[str], place: int) -> list[str]:
 
 def find_gamma(prints: Iterable[str], names: Iterable[str]) -> dict[str, type[sp.gamma]]:
     r"""Return the gamma function if \Gamma only occurs before brackets, and is not a name."""
-    behind = [
+    after = [
         texts[place + 1 : place + 2]
         for texts in map(list_signs, prints)
         for place, text in enumerate(texts)
         if text == r"\Gamma"
     ]
-    is_function = bool(behind) and all(one == ["("] for one in behind)
+    is_function = bool(after) and all(one == ["("] for one in after)
     return {"Gamma": sp.gamma} if is_function and r"\Gamma" not in names else {}
 
 
@@ -117,8 +117,8 @@ def has_letter_d(latex: str) -> bool:
     texts = list_signs(latex)
     places = (place for place, text in enumerate(texts) if text == "d")
     plain = (place for place in places if texts[max(place - 2, 0)] not in ACCENTS)
-    behind = [texts[place + 1 : place + 2] for place in plain]
-    return bool(behind) and ["_"] not in behind
+    after = [texts[place + 1 : place + 2] for place in plain]
+    return bool(after) and ["_"] not in after
 
 
 def take_set(latex: str) -> tuple[str, tuple[str, ...], str]:

@@ -196,17 +196,19 @@ def _put_on(bounds: Array, off: Array) -> Array:
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
-def _prove_arc(signs: int, behind: Sequence[bool], kind: str) -> ErrorTable:
+def _prove_arc(signs: int, reversals: Sequence[bool], kind: str) -> ErrorTable:
     """Bound the error of a quotient's arctangent, or a point's angle, by the size of the quotient.
 
-    The result must change sign with each of the first `signs` arguments; `behind` lists the cases
-    of a negative second argument to cover.
+    The result must change sign with each of the first `signs` arguments; `reversals` says whether
+    the second argument is to be covered where it is positive, negative, or both.
     """
     program = build(kind, DOUBLE).program
     _check_signs(program, program.inputs[:signs])
     edges = np.linspace(0.0, 1.0, PIECES + 1)
     flat, steep = (
-        np.max([_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in behind], axis=0)
+        np.max(
+            [_bound_arc(kind, edges[:-1], edges[1:], Case(None, s, b)) for b in reversals], axis=0
+        )
         for s in (False, True)
     )
     # The last piece extends beyond 2, for reciprocals that are rounded to zero.
@@ -232,8 +234,8 @@ def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
     scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
     straight = replace(found.straight, scaled=scaled)
     above, below = (other, one) if case.is_larger else (one, other)
-    quarters = 1 if case.is_larger else 2 * case.is_behind
-    is_backward = case.is_larger != case.is_behind
+    quarters = 1 if case.is_larger else 2 * case.is_reversed
+    is_backward = case.is_larger != case.is_reversed
 
     def sides(w: Series) -> tuple[Series, Series]:
         (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)

@@ -60,13 +60,13 @@ class Whole:
 class Case:
     """The facts a program decides by: the number of quarter turns, which size is the larger.
 
-    `is_larger` means that the first size is, `is_behind` that the second argument is negative. The
-    larger size is never zero.
+    `is_larger` means that the first size is, `is_reversed` that the second argument is negative.
+    The larger size is never zero.
     """
 
     number: Whole | None = None
     is_larger: bool = False
-    is_behind: bool = False
+    is_reversed: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ class _Resolver:
         is_last = isinstance(signed, _Signed) and signed.sign == self._inputs[-1]
         if not (is_last and _is_number(zero) and zero == 0):
             raise ValueError(f"{signed} < {zero}: only the last argument is compared with zero")
-        return self._case.is_behind
+        return self._case.is_reversed
 
     def _compare(self, kind: str, *given: _Known) -> bool:
         # Both are inputs, so no rounding can change how they compare.

@@ -294,10 +294,10 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
     places |= {p: words[p] for _, p, depth in signs if p in words and depth == 0}
     start = 0
     for place in sorted(places):
-        before, behind = latex[start:place], latex[places[place] :]
+        before, after = latex[start:place], latex[places[place] :]
         if _CONDITION.search(_PIECES.sub("", before.string)):
             continue
-        if _is_equation(before.string) and _is_equation(_until_gap(behind.string)):
+        if _is_equation(before.string) and _is_equation(_until_gap(after.string)):
             yield _clean(_drop_and(before))
             start = places[place]
     yield _clean(_drop_and(latex[start:]))

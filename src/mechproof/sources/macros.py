@@ -97,9 +97,9 @@ def _read_definition(string: str, match: re.Match[str]) -> tuple[dict[str, Macro
         body = rf"\operatorname{starred}{{{body}}}"
     if delimiter:
         # The macro wraps the text between two commands: \def\be#1\ee{…#1…}.
-        before, _, behind = body.partition("#1")
-        is_pair = parameters == "#1" and behind and "#" not in before + behind
-        return {name: Macro(before), delimiter: Macro(behind)} if is_pair else {}, end
+        before, _, after = body.partition("#1")
+        is_pair = parameters == "#1" and after and "#" not in before + after
+        return {name: Macro(before), delimiter: Macro(after)} if is_pair else {}, end
     closing = _read_argument(string, end) if paired or environment else None
     if environment:
         begin, finish = rf"\begin{{{name}}}", rf"\end{{{name}}}"
@@ -147,8 +147,8 @@ def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
     parts = _PARAMETER.split(_choose(macro.body, given))
     parts[1::2] = [(given[int(n) - 1 :] or [f"#{n}"])[0] for n in parts[1::2]]
     # A space is needed where a command's name would run into the next letter.
-    behind = string[end : end + 1]
-    return join_signs([*parts, behind]).removesuffix(behind), end
+    after = string[end : end + 1]
+    return join_signs([*parts, after]).removesuffix(after), end
 
 
 def _choose(body: str, given: Sequence[str]) -> str:

@@ -34,9 +34,9 @@ from mechproof.document.context.doubts import (
     list_printed,
     list_used,
 )
-from mechproof.document.context.judging_beside import (
+from mechproof.document.context.judging_by_constraints import (
     describe_misprint,
-    judge_beside,
+    judge_by_constraints,
     judge_misprint,
 )
 from mechproof.document.judging_workers import Changes, Judging
@@ -162,7 +162,7 @@ def _find_needed(at: Judging, others: Collection[int]) -> set[int]:
     following = [n for n, found in judged if found and found.rung in FOLLOWING]
     pairs = [(other, n) for other in others for n in following if other < n]
     asked = [(n, tuple(g for g in given if g < n and g != other)) for other, n in pairs]
-    found = dict(at.ask(judge_beside, asked))
+    found = dict(at.ask(judge_by_constraints, asked))
     # A row that took too long may follow without it.
     without = {one for one, x in found.items() if isinstance(x, WorkerError) or is_proof(x)}
     return {other for (other, _), one in zip(pairs, asked, strict=True) if one not in without}
@@ -186,8 +186,8 @@ def _list_later(at: Judging, accused: Collection[int]) -> Iterator[tuple[int, in
     tasks = at.tasks
     for n in accused:
         used = list_used(tasks[n], tasks)
-        behind = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
-        open_ones = (m for m in behind if at.rows[m].outcome != Verdict.PROVED.value)
+        after = (m for m in range(n + 1, len(tasks)) if not tasks[m].said.is_clause)
+        open_ones = (m for m in after if at.rows[m].outcome != Verdict.PROVED.value)
         used_later = [m for m in open_ones if defines(tasks[m], used)]
         used_later = [m for m in used_later if not holds_elsewhere(tasks[m], tasks[n])]
         yield from ((n, m) for m in used_later if not leaves_free(tasks[m], tasks[n], tasks))

@@ -17,8 +17,8 @@ from mechproof.document.constraints.consequences import (
     may_hold_for,
 )
 from mechproof.document.context.doubts import CONTRADICTING, defines, list_used
-from mechproof.document.context.judging_beside import (
-    judge_beside,
+from mechproof.document.context.judging_by_constraints import (
+    judge_by_constraints,
     judge_excused,
     judge_half,
     judge_roots,
@@ -68,7 +68,7 @@ def _ask_what_follows(at: Judging) -> dict[int, tuple[int, ...]]:
 
 def _follow(at: Judging, asked: Mapping[int, tuple[int, ...]]) -> Changes:
     """Judge rows by constraints; name those from which a new constraint was not shown to follow."""
-    for (n, given), found in at.ask(judge_beside, [*asked.items()]):
+    for (n, given), found in at.ask(judge_by_constraints, [*asked.items()]):
         task, alone = at.tasks[n], at.rows[n].judgement
         if isinstance(found, Judgement):
             is_settled = task.is_claimed or not alone
@@ -165,8 +165,8 @@ def _judge_halves(at: Judging) -> Changes:
             yield n, make_row(task, f"it comes from {tasks[pair].row.number}, which is refuted")
             continue
         halves = task.sign.sides[0].free_symbols
-        behind = [m for m in range(n, len(tasks)) if defines(tasks[m], halves)]
-        asked |= {m: pair for m in behind if may_hold_for(tasks[pair], tasks[m])}
+        after = [m for m in range(n, len(tasks)) if defines(tasks[m], halves)]
+        asked |= {m: pair for m in after if may_hold_for(tasks[pair], tasks[m])}
     for (m, _), found in at.ask(judge_half, [*asked.items()]):
         if isinstance(found, Judgement):
             yield m, make_row(tasks[m], found)
@@ -209,7 +209,7 @@ def doubt_by_premises(at: Judging) -> Changes:
         chosen = chosen or ({certain: frozenset()} if doubted else {})
         asked += [(n, tuple(sorted(one)), denied) for one, denied in chosen.items()]
         names[n] = ", ".join(tasks[g].row.number for g in doubted)
-    proved = {n for (n, *_), found in at.ask(judge_beside, asked) if is_proof(found)}
+    proved = {n for (n, *_), found in at.ask(judge_by_constraints, asked) if is_proof(found)}
     for n in {n for n, *_ in asked} - proved:
         reason = f"it follows only with the help of {names[n]}, which may be wrong"
         yield n, make_row(tasks[n], reason)

@@ -101,18 +101,18 @@ def _find_doubts(number: int, at: Judging, doubted: Sequence[Task]) -> list[tupl
     own = [one for one in special if one in tasks[:number] and _introduces(one, tasks)]
     if not task.said.is_general and len({one.said.scope for one in own}) == 1:
         special = [one for one in special if one not in own]
-    behind = [one for one in tasks[number + 1 :] if one.said.passage > task.said.passage]
-    behind = [one for one in behind if not one.said.is_clause]
+    after = [one for one in tasks[number + 1 :] if one.said.passage > task.said.passage]
+    after = [one for one in after if not one.said.is_clause]
     if not (is_condition or is_empty):
-        behind = [one for one in behind if not leaves_free(one, task, tasks)]
+        after = [one for one in after if not leaves_free(one, task, tasks)]
     groups = (
         (doubted, "may be wrong itself"),
         (special, "is about a special case"),
         (
-            [one for one in behind if one.said.is_new],
+            [one for one in after if one.said.is_new],
             "is printed later, perhaps for a special case",
         ),
-        (behind, "is printed later, and may be wrong itself"),
+        (after, "is printed later, and may be wrong itself"),
     )
     others = [one for one in tasks if one is not task and not holds_elsewhere(one, task)]
     found = ([one for one in g if one in others and defines(one, letters)] for g, _ in groups)

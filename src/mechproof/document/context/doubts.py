@@ -273,8 +273,8 @@ def is_later_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:
     """Return whether a row defines one of `used` after words that may announce a case."""
     said = one.said
     may_tell = said.is_new and (said.is_case or said.is_equating)
-    is_behind = said.passage > task.said.passage and not said.is_clause
-    return defines(one, used) and may_tell and is_behind
+    is_later = said.passage > task.said.passage and not said.is_clause
+    return defines(one, used) and may_tell and is_later
 
 
 def is_left_case(one: Task, task: Task, used: Collection[sp.Basic]) -> bool:

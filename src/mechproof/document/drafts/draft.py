@@ -143,11 +143,11 @@ def _write_unit_matrices(
 
 
 def _is_summand(place: re.Match[str]) -> bool:
-    before, behind = place.string[: place.start()], place.string[place.end() :]
+    before, after = place.string[: place.start()], place.string[place.end() :]
     is_first = re.search(r"(?:\A|[-+=&(\[])\s*\Z", before)
-    is_last = re.match(r"[\s.,;]*(?:\Z|[-+=&)\]]|\\\\|\\right)", behind)
+    is_last = re.match(r"[\s.,;]*(?:\Z|[-+=&)\]]|\\\\|\\right)", after)
     # An equation with the letter alone on its left defines it.
-    is_defined = re.fullmatch(r"\s*", before) and re.match(r"\s*&?=", behind)
+    is_defined = re.fullmatch(r"\s*", before) and re.match(r"\s*&?=", after)
     return bool(is_first and is_last and not is_defined)
 
 

@@ -317,8 +317,8 @@ def find_running(
     said = []
     for match in _RESPECT.finditer(source.text.string):
         offset = source.text.offsets[match.start()]
-        behind = (one.latex.string for one in displays if one.latex.offsets[0] > offset)
-        if match["noun"] or "'" in next(behind, ""):
+        after = (one.latex.string for one in displays if one.latex.offsets[0] > offset)
+        if match["noun"] or "'" in next(after, ""):
             said.append(match["by"])
     said += [by for name, by in functions.items() if name in primed]
     said += [by for one in displays for by in _CHAINED.findall(one.latex.string)]

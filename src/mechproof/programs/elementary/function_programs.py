@@ -196,11 +196,11 @@ class _Maker:
         is_steep = rise > run
         below = choose(is_steep, rise, run)
         arc = self.arc(choose(is_steep, run, rise) / choose(below == 0.0, 1.0, below))
-        is_behind = copysign(1.0, b) < 0.0
+        is_left = copysign(1.0, b) < 0.0
         (half, half_low), (whole, whole_low) = map(self.split_turn, (0.5, 1))
-        high = choose(is_steep, half, choose(is_behind, whole, 0.0))
-        low = choose(is_steep, half_low, choose(is_behind, whole_low, 0.0))
-        turned = choose(is_steep, choose(is_behind, arc, -arc), choose(is_behind, -arc, arc))
+        high = choose(is_steep, half, choose(is_left, whole, 0.0))
+        low = choose(is_steep, half_low, choose(is_left, whole_low, 0.0))
+        turned = choose(is_steep, choose(is_left, arc, -arc), choose(is_left, -arc, arc))
         return copysign(high + (low + turned), a)
 
     def arc(self, w: Value) -> Value:

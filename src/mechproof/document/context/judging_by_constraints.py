@@ -37,7 +37,7 @@ from mechproof.record import Conjunction, Definition, Equality, RecordError
 from mechproof.statement_domains.domain import Domain
 
 
-def judge_beside(
+def judge_by_constraints(
     tasks: Sequence[Task],
     number: int,
     others: Sequence[int],
@@ -89,7 +89,7 @@ def _find_consequence_of_entries(
 
 def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
     """Judge by all constraints what is not true on its own, or name those that may make it true."""
-    task, found = tasks[number], judge_beside(tasks, number, others)
+    task, found = tasks[number], judge_by_constraints(tasks, number, others)
     if found and found.verdict is Verdict.PROVED:
         return found
     before = [tasks[other] for other in others]
