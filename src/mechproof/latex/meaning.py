@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
-from mechproof.latex import calculus_meaning, matrix_meaning, tree
+from mechproof.latex import calculus_meaning, derivative_meaning, matrix_meaning, tree
 from mechproof.latex.dotted import give_dotted
 from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Remedies
 from mechproof.latex.extrema import give_term
@@ -283,7 +283,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     tree.Call: Meaning._call,
     tree.Repeated: calculus_meaning.give_repeated,
     tree.Integration: calculus_meaning.give_integral,
-    tree.Derivation: calculus_meaning.give_derivative,
+    tree.Derivation: derivative_meaning.give_derivative,
     tree.Approach: calculus_meaning.give_limit,
     tree.At: calculus_meaning.give_value,
     tree.Extremum: give_term,

@@ -7,12 +7,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from types import MappingProxyType
-from typing import TypeVar
 
 import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
-from mechproof.latex.errors import TOO_DEEP, Remedies
+from mechproof.latex.errors import TOO_DEEP
 from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.name_table import INDEX, strip_braces
 from mechproof.latex.printed_functions import FUNCTIONS
@@ -20,58 +19,17 @@ from mechproof.latex.tokens import tokenize
 from mechproof.latex.words import ELSE, IF, to_text
 from mechproof.nomenclature.cells import name_unit
 from mechproof.nomenclature.defined_functions import find_defined
+from mechproof.nomenclature.guessed_letters import BRACKET, NAMES, NO_LETTER, REMEDIES, Guesses
 from mechproof.record import Notation, Variable
 
-T = TypeVar("T")
-REMEDIES = Remedies(
-    name="Declare it in the block of letters: {0} : its meaning",
-    bracket="Declare in the block of letters: factor {0}, or the whole print, {0}(…), as a letter.",
-    function=r"State in the block of letters which function it is: function \{0} is …",
-    scope="Print another letter for '{0}' where it is bound.",
-    lower_limit="State in the block of letters: from 0, or wherever it starts.",
-    family="Declare a family in the block of letters: {0} ({1}) : its meaning",
-    membership="Declare a letter that counts in the block of letters, natural or integer; "
-    "print an interval as a relation, 0<x<1.",
-    rate="If it is a derivative, declare what {0} depends on: {0}({1}) : its meaning. Otherwise:",
-    sign=r", or declare a letter that is 1 or -1 in the block of letters, branch \sigma=\pm1",
-    depends="If {0} depends on {1}, say so in the block of letters: {0}({1}) : its meaning. "
-    "Otherwise:",
-)
-_ASKS = re.compile(r"a (?:bracket|fraction) after (.+?): a factor")
-_INVERSE = re.compile(r"function \\([a-z]+)\^\{-1\} is")
-_ITALICS = re.compile(r"([A-Za-z]+) in italics: a function")
-# The functions that the power -1 mostly means.
-INVERSES = {
-    **{"sin": "arcsin", "cos": "arccos", "tan": "arctan"},
-    **{"sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"},
-}
-_NAMES = re.compile(re.escape(REMEDIES.name).replace(r"\{0\}", r"(.+?)"))
-# A bracket, and contents that are arguments: one letter, or several parts.
-_BRACKET = re.compile(r"(?:\\left\s*)?\((?P<inner>(?:[^()]|\([^()]*\))*?)(?:\\right\s*)?\)")
-_ARGUMENTS = re.compile(r"\s*(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\w|\{[^{}]*\}))?\s*|[^()]*,[^()]*")
 # Contents of a bracket that nobody multiplies by: a place where a letter has a value, x(0), i(\pi).
 _PLACE = re.compile(
     r"(?:[-+\s\d/]|\\pi(?![A-Za-z])|\\infty(?![A-Za-z]))*(?:0|\\pi|\\infty)[\s\d/]*"
 )
-# A power of e other than a number, which may be a power of a length e.
-_NO_SQUARE = r"(?!\s*(?:\d|\{\s*\d+\s*\}))"
-# Signs after the first value of an index.
-_RUNS_ON = r"(?:\}|,\s*(?:\d|\\[lc]?dots|\.\.)|\\[lc]?dots|\.\.)"
-# Prints that show that such a letter is not a quantity.
-_NO_LETTER = {
-    "e": re.compile(rf"(?<![A-Za-z\\])[A-Za-z]{{0,3}}e\s*\^{_NO_SQUARE}"),
-    "d": re.compile(r"\\int|\{\s*d\s*(?:\\[A-Za-z]+|[A-Za-z])[^{}]*\}"),
-    "i": re.compile(rf"i\s*(?:=\s*\d+\s*{_RUNS_ON}|\\in)|e\s*\^{_NO_SQUARE}"),
-}
 # Letters that mostly run through families.
 INDICES = "ijklmn"
 # A sum whose lower limit is 0.
 _FROM_ZERO = re.compile(r"=\s*0\s*\}\s*\^")
-# Signs of an increment where they are alone, and so are letters.
-_INCREMENTS = {
-    sign: re.compile(rf"\\{sign[1:]}\s*(?:[=+\-)}},^&]|\\\\|\Z)", re.MULTILINE)
-    for sign in (r"\delta", r"\Delta")
-}
 # The letter T, except as a sign of transposition or with an index.
 _PLAIN_T = re.compile(
     r"(?<![A-Za-z\\^])(?<!\^\{)(?<!\\mathrm\{)(?<!\\mathrm )(?<!\\text\{)T(?![A-Za-z]|\s*_)"
@@ -149,7 +107,7 @@ def collect_letters(
     """
     prints = list(printed)
     displays: list[list[str]] = []
-    guesses = _Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
+    guesses = Guesses("\n".join(prints), declares=guess, imaginary=imaginary, said=said)
     guesses.letters |= dict.fromkeys(find_framed(prints))
     unread: dict[str, ReadingError] = {}
     tables = {name for name, _ in find_shapes(prints)}
@@ -158,9 +116,9 @@ def collect_letters(
         found = _collect_from(latex, guesses)
         if isinstance(found, ReadingError):
             unread[printed_latex] = found
-            named = _NAMES.search(found.remedy)
+            named = NAMES.search(found.remedy)
             # A letter next to one that may not be a letter is still asked for.
-            beside = [named[1]] if guess and named and named[1] in _NO_LETTER else []
+            beside = [named[1]] if guess and named and named[1] in NO_LETTER else []
             found = _collect_from(latex, guesses, beside) if beside else []
         if not isinstance(found, ReadingError):
             displays.append(found)
@@ -211,57 +169,9 @@ def print_member(family: str, index: str) -> str:
     return family.replace(INDEX, index) if INDEX in family else f"{family}_{{{index}}}"
 
 
-@dataclass
-class _Guesses:
-    """Remedies for refusals of the prints `all_prints`; `declares` permits letters, too.
-
-    Letters that are `said` are quantities, whatever else is printed like them.
-    """
-
-    all_prints: str
-    declares: bool
-    imaginary: str
-    said: Collection[str]
-    factors: dict[str, None] = field(default_factory=dict)
-    letters: dict[str, None] = field(default_factory=dict)
-    functions: dict[str, str] = field(default_factory=dict)
-
-    def take(self, error: ReadingError) -> bool:
-        """Add what would remedy a refusal; return whether there is anything new."""
-        inverse = _INVERSE.search(error.remedy) if self.declares else None
-        if inverse and inverse[1] in INVERSES:
-            printed = rf"\{inverse[1]}^{{-1}}"
-            return _enter(printed, self.functions, rf"\{INVERSES[inverse[1]]}")
-        italics = _ITALICS.search(error.reason)
-        if self.declares and italics:
-            return _enter(italics[1], self.functions, rf"\{italics[1]}")
-        asked = _ASKS.search(error.reason)
-        named = _NAMES.search(error.remedy)
-        if asked:
-            arguments = find_arguments(error.latex, error.place) if self.declares else ""
-            if arguments == r"\pi" and "pi" not in self.said:
-                arguments = ""
-            if not arguments:
-                return _enter(asked[1], self.factors, None)
-            return _enter(f"{asked[1]}({arguments})", self.letters, None)
-        if not named or self._is_taken_up(named[1]):
-            return False
-        # If nothing is declared, such a letter may be accepted after all, also with an index.
-        if not (self.declares or named[1].partition("_")[0] in _NO_LETTER):
-            return False
-        sign = named[1].partition(" ")[0]
-        if sign in _INCREMENTS and _INCREMENTS[sign].search(self.all_prints):
-            return _enter(sign, self.letters, None)
-        return _enter(named[1], self.letters, None)
-
-    def _is_taken_up(self, name: str) -> bool:
-        is_open = name in _NO_LETTER and name not in self.said
-        return is_open and bool(_NO_LETTER[name].search(self.all_prints))
-
-
 def make_reader(
     letters: Iterable[str],
-    said: Collected | _Guesses,
+    said: Collected | Guesses,
     sizes: Mapping[str, tuple[int, int]] = MappingProxyType({}),
 ) -> Reader:
     """Return a reader that knows these letters, their sizes, and the other guesses about prints."""
@@ -280,14 +190,8 @@ def make_reader(
     return Reader(names, notation, REMEDIES)
 
 
-def _enter(name: str, names: dict[str, T], value: T) -> bool:
-    is_new = name not in names
-    names[name] = value
-    return is_new
-
-
 def _collect_from(
-    latex: str, guesses: _Guesses, beside: Sequence[str] = ()
+    latex: str, guesses: Guesses, beside: Sequence[str] = ()
 ) -> list[str] | ReadingError:
     """Return the letters of a print besides known ones, or the error why it cannot be read."""
     while True:
@@ -304,18 +208,11 @@ def _collect_from(
             return ReadingError(latex, 0, TOO_DEEP)
 
 
-def find_arguments(latex: str, place: int) -> str:
-    """Return the content of a bracket if it holds arguments rather than a factor, else ""."""
-    bracket = _BRACKET.match(latex, place)
-    is_list = bracket is not None and _ARGUMENTS.fullmatch(bracket["inner"])
-    return bracket["inner"].strip() if bracket and is_list else ""
-
-
 def find_places(letters: Iterable[str], prints: Sequence[str]) -> list[str]:
     """Return the letters after which brackets contain only places, 0 or parts of pi."""
     found = []
     for letter in letters:
-        after = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{_BRACKET.pattern}")
+        after = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}\s*{BRACKET.pattern}")
         inner = [match["inner"] for latex in prints for match in after.finditer(latex)]
         if inner and all(map(_PLACE.fullmatch, inner)):
             found.append(letter)

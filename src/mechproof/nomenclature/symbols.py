@@ -16,7 +16,8 @@ import sympy as sp
 from mechproof.latex import Reader
 from mechproof.latex.values import Moving, differentiate
 from mechproof.nomenclature.block import Block, Declared
-from mechproof.nomenclature.shown_letters import REMEDIES, name_symbol
+from mechproof.nomenclature.guessed_letters import REMEDIES
+from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.nomenclature.symbol_names import ORDERS, TIME, print_rate
 from mechproof.record import NUMBER, Dimension, Notation, Paper, Scope, Variable
 from mechproof.record.unit_notation import UNITS
