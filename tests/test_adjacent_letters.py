@@ -53,6 +53,10 @@ ROWS = [
     (r"\int_0^1\cos(a+b)x\,dx=\frac{\sin(a+b)}{a+b}", ("a=b",), PROVED),
     (r"\int\sin(a+b)x\,dx=-\frac{\cos(a+b)x}{a+b}+C", (), PROVED),
     (r"\int\sin(a+b)x\,dx=\frac{\cos(a+b)x}{a+b}+C", (), REFUTED),
+    # Unless the same function is also printed without that letter.
+    (r"\int\sin(a+b)x\,dx=\frac{x^2}2\sin(a+b)+C", (), PROVED),
+    (r"\int_0^1\cos(a+b)x\,dx=\frac12\cos(a+b)", (), PROVED),
+    (r"\int_0^1\cos(a+b)x\,dx=\frac13\cos(a+b)", (), REFUTED),
     (r"2\sin ax\cos bx=\sin(a+b)x+\sin(a-b)x", (), PROVED),
     (r"2\sin ax\cos bx=\sin(a+b)x-\sin(a-b)x", (), REFUTED),
     (r"\int_0^1\sin(a+b)x\,dx=\frac{1-\cos(a+b)\pi}{a+b}", (), REFUTED),

@@ -38,6 +38,9 @@ PAIRS = [
         r"\frac{\pi^2}{ab}",
         ("a>0", "b>0"),
     ),
+    # Over a whole turn: not periodic; a wave with another factor that varies.
+    (r"\int_0^{2\pi}e^{2x}\cos2x\,dx=\frac{e^{%s\pi}-1}4", "4", "2", ()),
+    (r"\int_0^{2\pi}(\cos x+\sin x)\sin x\,dx=%s", r"\pi", "0", ()),
     # From the table.
     (
         r"\int_0^\infty\frac{x^{p-1}}{1+x^q}\,dx=\frac\pi{%s}",
@@ -126,6 +129,10 @@ PAIRS = [
 ]
 # Prints with the conditions stated, under which they are not true everywhere.
 WRONG = [
+    # Over a whole turn, but not periodic; a wave with another factor that varies.
+    (r"\int_0^{2\pi}(x+1)\cos(x+1)\,dx=0", ()),
+    (r"\int_0^{2\pi}\frac{3\cos x+4\sin x}{2+\cos x}\,dx=10\pi(1-\frac2{\sqrt3})", ()),
+    (r"\lim_{n\to\infty}(-1)^nb^n=0", ("b<1",)),
     (r"\lim_{x\to0}(-2)^x=1", ()),
     (r"\lim_{n\to\infty}\frac1{\ln(2a^n)}=0", ("a>0",)),
     (r"\lim_{n\to\infty}\frac1{\ln(a^n+b^n)}=0", ("a>b>0",)),

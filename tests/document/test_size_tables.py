@@ -213,7 +213,7 @@ def test_another_table_is_told() -> None:
     found = run(tabular("Material & Price", "steel & 12"))
     assert len(found.rows) == 8
     ((place, reason),) = found.told
-    assert (place.line, "no two letters in its head" in reason) == (16, True)
+    assert (place.line, "its head has fewer than two letters" in reason) == (16, True)
 
 
 @pytest.mark.parametrize("head", ["$a/w$", "$b/m$", "a/b"])

@@ -21,7 +21,7 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import EPS
 from mechproof.measured import KERNELS
 from mechproof.programs.kernel import input_names, list_functions
-from mechproof.roundoff import kernel_stages
+from mechproof.roundoff import computed_stages, kernel_stages
 from mechproof.roundoff.certificate import RoundingClaim, holds
 from mechproof.roundoff.certificate_files import find_certificate
 from mechproof.roundoff.compiled_kernels import WAY, list_expansions
@@ -174,7 +174,7 @@ def test_a_claim_about_other_steps_or_functions_is_refused(
         lost = replace(steps, steps=steps.steps[:-1])
         assert not holds(replace(subject, **{field: lost}), claim)
     changed = change("cos", lambda step: replace(step, kind="add") if step.kind == "fma" else step)
-    monkeypatch.setattr(kernel_stages, "build", lambda *_: changed)
+    monkeypatch.setattr(computed_stages, "build", lambda *_: changed)
     assert not holds(subject, claim)
 
 
@@ -191,7 +191,7 @@ def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) ->
             unreduced = None if error_table.unreduced is None else factor * error_table.unreduced
             return replace(error_table, highest=factor * error_table.highest, unreduced=unreduced)
 
-        monkeypatch.setattr(kernel_stages, "prove", scaled)
+        monkeypatch.setattr(computed_stages, "prove", scaled)
         assert np.sign(subject.bound(region, boxes) - whole) == np.sign(factor - 1)
 
 

@@ -199,9 +199,9 @@ class Known:
         return value.xreplace({s: v for s, v in fixed.items() if v.free_symbols & moving})
 
     def _differentiate(self, value: Any, by: sp.Basic) -> Any:
-        """Return a derivative; raises `ValueError` for one that is not known.
+        """Return a derivative; raises `ValueError` if it is not known.
 
-        So is that of a matrix with entries that are not known, or of which none is known to move.
+        That of a matrix is not known if some entries are not, or if none is known to move.
         """
         if not is_matrix(value):
             return differentiate(value, by, self.symbols.moving)

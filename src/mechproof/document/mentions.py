@@ -32,13 +32,15 @@ _CONSTANT = re.compile(
     r"=\s*(?:\\(?:text|textrm|mathrm|mbox|operatorname)\s*\{|\{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
-# A number or a bracket, and what may be its unit in italics; a product is not spelled like some
-# units.
+# A number or a bracket, and what may be its unit in italics; some units are spelled as no product
+# is.
 _QUANTITY = re.compile(
-    r"[-+]?\s*(?:\d[\d.]*|\d*\\pi|.*\))(?:\s|~|\\[,;: ])*([A-Za-z](?:[\w/ ^]*\w)?)", re.ASCII
+    r"[-+]?\s*(?:\d[\d.]*|\d*\\pi|.*\))(?P<gap>(?:\s|~|\\[,;: ])*)"
+    r"(?P<unit>[A-Za-z](?:[\w/ ^]*\w)?)",
+    re.ASCII,
 )
 _NO_PRODUCT = re.compile(r"\b(?:mm|rad|rpm|k?Hz|[kMG]Pa)\b")
-# A differential in an integral or a limit.
+# A differential in an integral, or a letter in a limit.
 _DIFFERENTIAL = re.compile(
     r"\\(?:int|lim)(?![A-Za-z]).*?(?<![A-Za-z\\])d\s*(\\[A-Za-z]+|[A-Za-z])", re.DOTALL
 )
@@ -76,16 +78,19 @@ def refuse_units(read: Print) -> None:
 def refuse_units_in_italics(read: Print) -> None:
     r"""Refuse 66 mm without \mathrm, whose letters may be factors, if it looks like a quantity.
 
-    It does if no product is spelled like this, if another member of the chain is a quantity of the
-    same dimension, or if the first member has the dimension of the unit but not of the product.
+    It does if no product is spelled like this; if another member of the chain is a quantity of the
+    same dimension, both with a gap before the unit; or if the first member has the dimension of the
+    unit but not of the product.
     """
     for chain in read.chains:
         members = [read.cut(chain, n, n) for n in range(len(chain.members))]
         matches = [(n, _QUANTITY.fullmatch(member)) for n, member in enumerate(members)]
-        units = {n: (m[1], unit) for n, m in matches if m and (unit := find_unit(m[1]))}
-        dimensions = [unit.dimension for _, unit in units.values()]
-        for n, (shown, unit) in units.items():
-            is_unit = _NO_PRODUCT.search(shown) or dimensions.count(unit.dimension) > 1
+        units = {n: (m, unit) for n, m in matches if m and (unit := find_unit(m["unit"]))}
+        dimensions = [unit.dimension for match, unit in units.values() if match["gap"]]
+        for n, (match, unit) in units.items():
+            shown = match["unit"]
+            is_alike = bool(match["gap"]) and dimensions.count(unit.dimension) > 1
+            is_unit = _NO_PRODUCT.search(shown) or is_alike
             if is_unit or (n and _fits_only(unit.dimension, read, chain, n)):
                 raise read.source.refuse(
                     chain.members[n].start,
@@ -97,12 +102,13 @@ def refuse_units_in_italics(read: Print) -> None:
 def _fits_only(unit: Dimension, read: Print, chain: tree.Chain, number: int) -> bool:
     """Return whether the first member of a chain has the dimension of a unit but not of a member.
 
-    Nothing is known if a letter has no unit.
+    Nothing is known if a letter has no unit, or of matrices.
     """
     known = read.reader.notation.dimensions
     first, product = (read.meaning().of(chain.members[n]) for n in (0, number))
+    are_scalars = isinstance(first, sp.Expr) and isinstance(product, sp.Expr)
     with suppress(DimensionError):
-        if (first + product).free_symbols <= known.keys():
+        if are_scalars and first.free_symbols | product.free_symbols <= known.keys():
             return infer(first, known) == unit != infer(product, known)
     return False
 
@@ -120,7 +126,7 @@ def refuse_powers_of_zero(read: Print) -> None:
 
 
 def refuse_differentials(read: Print, printed: Sequence[Printed]) -> None:
-    """Refuse dT as a product of declared letters if an integral or a limit has a dT, too."""
+    """Refuse dT as a product of declared letters if an integral has a dT, too."""
     pairs = (
         pair
         for node in tree.walk(read.chains)
@@ -128,17 +134,18 @@ def refuse_differentials(read: Print, printed: Sequence[Printed]) -> None:
         for pair in pairwise(node.factors)
         if all(isinstance(one, tree.Letter) for one in pair)
     )
+    integrated = _list_integrated(printed)
     for one, other in pairs:
         shown = read.source.latex[one.start : other.end]
-        if shown[:1] == "d" and shown[1:].strip() in _list_differentials(printed):
+        if shown[:1] == "d" and shown[1:].strip() in integrated:
             raise read.source.refuse(
                 one.start,
                 f"{shown}: a differential, as elsewhere, or a product?",
-                r"Print \cdot for the product; derivatives and integrals show differentials.",
+                r"Print \cdot for the product. Derivatives and integrals show differentials.",
             )
 
 
-def _list_differentials(printed: Sequence[Printed]) -> set[str]:
+def _list_integrated(printed: Sequence[Printed]) -> set[str]:
     """Return the letters whose differentials integrals and limits print."""
     return {name for one in printed for name in _DIFFERENTIAL.findall(one.latex.string)}
 
@@ -188,7 +195,7 @@ def find_assignment(read: Print) -> str:
     for chain in read.chains:
         first, *others = chain.members
         terms = others[0].terms if others and isinstance(others[0], tree.Add) else ()
-        is_equal = isinstance(first, tree.Letter) and chain.relations[0] == "="
+        is_equal = bool(terms) and isinstance(first, tree.Letter) and chain.relations[0] == "="
         rest = [node for one in terms if one != (1, first) for node in tree.walk(one[1])]
         if is_equal and (1, first) in terms and any(isinstance(x, tree.Letter) for x in rest):
             return read.cut(chain, 0, 0)

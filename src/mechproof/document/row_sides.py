@@ -57,7 +57,7 @@ def write_out(side: Any) -> Any:
 
 
 def have_same_letters(sides: Sequence[Any], by_entry: bool = False) -> bool:
-    """Return whether both sides are functions of the same letters, or all entries that differ."""
+    """Return whether both sides, or by entry all that differ, are functions of the same letters."""
     shown = [*map(write_out, sides)] if by_entry else []
     if shown and all(isinstance(side, sp.MatrixBase) for side in shown):
         pairs = zip(*shown, strict=False)

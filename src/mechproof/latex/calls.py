@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.latex import atoms, calculus, side_conditions, tree
 from mechproof.latex.characters import is_letter
-from mechproof.latex.latex_signs import DOTS, find_close
+from mechproof.latex.latex_signs import DOTS, find_close, is_printed_without
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.meaning import Meaning
 from mechproof.record import NUMBER, Notation
@@ -263,7 +263,8 @@ def _is_counted(parser: Parser, letters: Sequence[sp.Basic], place: int) -> bool
     if not (texts and is_alone and parser.integrals) or texts[0] in parser.functions:
         return False
     has_angle = any(letter in known and known[letter].is_angle for letter in letters)
-    is_near = not (has_angle or _follows_space(parser))
+    is_bare = is_printed_without([token.text for token in parser.tokens], place)
+    is_near = not (has_angle or is_bare or _follows_space(parser))
     # In a fraction, the numerator with the differential in it has already been read.
     read = parser.integrals[-1].differential
     is_over = isinstance(read, tree.Letter) and read.text == texts[0]

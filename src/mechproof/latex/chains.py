@@ -52,7 +52,7 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
 
 
 def _find_end(parser: Parser, after: Line | None) -> int:
-    """Return where a line ends in the source: in front of the line `behind`, if there is one."""
+    """Return where a line ends in the source: in front of the line `after`, if there is one."""
     if after is None:
         return len(parser.source.latex)
     return after.arrow.start if after.arrow else after.tokens[0].start

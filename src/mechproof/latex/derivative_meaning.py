@@ -113,7 +113,7 @@ def _give_rate(
 ) -> sp.Expr:
     """Return the derivative of a scalar, defined where the scalar and its moduli have values.
 
-    A direction (x, y) also must not be along the negative x-axis, at which its angle jumps.
+    For the angle of (x, y), that point must not lie on the negative x-axis, where it jumps.
     """
     value = needed.replace(ValueWhere, lambda inner, _: inner)
     turning = {part.args[0] for part in value.atoms(*OF_SIGNS) if depends_on & part.free_symbols}

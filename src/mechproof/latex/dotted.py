@@ -94,11 +94,11 @@ def _choose_index(terms: Sequence[sp.Expr], *, starts_at_zero: bool) -> sp.Symbo
 def _find_runs(first: Sequence[sp.Expr], last: sp.Expr) -> Iterator[tuple[sp.Symbol, int, int]]:
     """Yield a count, its value in the first term counted, and how many printed terms it counts."""
     for count in sorted((s for s in last.free_symbols if s.is_integer), key=str):
-        for after in range(1, _MOST):
+        for following in range(1, _MOST):
             used = 0
-            while used < min(len(first), after):
-                if sp.expand(first[-1 - used] - last.subs(count, after - 1 - used)) != 0:
+            while used < min(len(first), following):
+                if sp.expand(first[-1 - used] - last.subs(count, following - 1 - used)) != 0:
                     break
                 used += 1
             if used >= _FEWEST:
-                yield count, after - used, used
+                yield count, following - used, used

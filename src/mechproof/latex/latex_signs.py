@@ -178,3 +178,11 @@ def join(texts: Sequence[str] | Iterator[str]) -> str:
         apart = re.search(r"\\[A-Za-z]+$", joined) and re.match(r"[A-Za-z]", text)
         joined += f" {text}" if apart else text
     return joined
+
+
+def is_printed_without(texts: Sequence[str], place: int) -> bool:
+    r"""Return whether \sin(a+b), before the letter at a place, also stands without that letter."""
+    opened = (n for n in range(place) if texts[n] == "(" and n + find_close(texts[n:]) == place - 1)
+    wave = texts[next(opened, place) - 1 : place]
+    starts = (n for n in range(len(texts)) if texts[n : n + len(wave)] == wave)
+    return len(wave) > 1 and any(texts[n + len(wave) :][:1] != [texts[place]] for n in starts)

@@ -31,15 +31,13 @@ from mechproof.latex.tree import (
     shows_matrix,
     walk,
 )
-from mechproof.latex.words import ITALICS
+from mechproof.latex.words import ITALICS, LONGEST_ROW
 from mechproof.record import NUMBER
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _WORD = re.compile(r"[A-Za-z][a-z]+")
-# The longest row of letters that may be a product in spite of a letter that appears twice.
-_LONGEST = 3
 _PARTS = {"_": "an index", "'": "a prime", STAR: "a star"}
 
 
@@ -185,7 +183,7 @@ def _refuse_italics(parser: Parser) -> None:
             + parser.remedies.function.format(name).replace(rf"\{name}", name),
         )
     # A product names no factor twice, but an integral may print dxdydz.
-    is_spelled = len(word) > _LONGEST and len({*word}) < len(word)
+    is_spelled = len(word) > LONGEST_ROW and len({*word}) < len(word)
     if word in ITALICS or (is_spelled and not (parser.integrals and "d" in word)):
         raise parser.refuse(
             f"{word} in italics: a word or a product?",

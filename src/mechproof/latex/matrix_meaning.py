@@ -61,7 +61,7 @@ def assemble(rows: Sequence[Sequence[Any]]) -> sp.ImmutableMatrix:
 
 
 def give_list(values: Sequence[Any]) -> sp.ImmutableMatrix:
-    """Return a row; vectors in it beside numbers add their entries, as in [w, (x, y, z)]."""
+    """Return a row; a vector among numbers contributes its entries, as in [w, (x, y, z)]."""
     is_mixed = not all(map(is_vector, values))
     parts = (show_entries(x) if is_mixed and is_vector(x) else [x] for x in values)
     return sp.ImmutableMatrix([[entry for part in parts for entry in part]])

@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _BESIDE = (r"\bmod", r"\mod")
-_BEHIND = (r"\pmod", r"\pod")
+_AFTER = (r"\pmod", r"\pod")
 _BRACKETED = (*_BESIDE, r"\text{mod}")
-SIGNS = (*_BEHIND, *_BRACKETED)
+SIGNS = (*_AFTER, *_BRACKETED)
 _REMAINDER = PrintedFunction("mod", lambda number, by: number - by * sp.floor(number / by))
 
 
 def is_next(parser: Parser) -> bool:
     r"""Return whether a modulus comes next: \bmod n, \pmod n, (\text{mod }n)."""
     is_bracketed = parser.text == "(" and parser.peek() in _BRACKETED
-    return is_bracketed or parser.text in (*_BESIDE, *_BEHIND)
+    return is_bracketed or parser.text in (*_BESIDE, *_AFTER)
 
 
 def read_remainder(parser: Parser, number: Node, before: str) -> Node:
@@ -57,7 +57,7 @@ def read_congruence(parser: Parser, members: list[Node], relations: list[str]) -
 
 
 def _read_after(parser: Parser) -> Node:
-    if parser.skip(*_BEHIND):
+    if parser.skip(*_AFTER):
         return parser.read_group()
     parser.take("(")
     parser.take()

@@ -15,7 +15,7 @@ from mechproof.latex.printed_functions import AMBIGUOUS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.several_equations import ARROWS, EQUIVALENCES
 from mechproof.latex.tree import Letter, Node
-from mechproof.latex.words import AND, ELSE, IF
+from mechproof.latex.words import AND, ELSE, IF, LONGEST_ROW
 from mechproof.record.unit_notation import is_unit
 
 if TYPE_CHECKING:
@@ -27,8 +27,6 @@ UNSURE = {
     "i": "The imaginary unit is not read. If it is a letter, such as a ratio:",
     "d": r"Print \frac{d}{dx}(…) for a derivative. Otherwise:",
 }
-# The longest index that is a row of letters rather than a word.
-_LONGEST = 3
 # Signs that form one quantity with the next letter, or a product with it.
 _INCREMENTS = (r"\Delta", r"\delta")
 # Signs after which a d is a letter, not a differential.
@@ -239,7 +237,7 @@ def _find_running_index(parser: Parser, start: int, end: int) -> str:
     texts = [token.text for token in parser.tokens[start:end]]
     index = [text for text in texts[texts.index("_") + 2 :] if text != "}"] if "_" in texts else []
     own = next((n for n, text in enumerate(index) if text in parser.bound), len(index))
-    is_word = len(index) > _LONGEST and all(map(str.isalpha, index))
+    is_word = len(index) > LONGEST_ROW and all(map(str.isalpha, index))
     return "" if is_word and not {*index[own:]} <= {*parser.bound} else "".join(index[own:])
 
 

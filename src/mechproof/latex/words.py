@@ -12,6 +12,8 @@ _IF = (
 IF = tuple(rf"\text{{{word}}}" for word in _IF)
 UNDEFINED = (r"\text{undefined}", r"\text{not defined}")
 ELSE = (r"\text{else}", r"\text{otherwise}")
+# The longest row of letters in italics that is taken for letters, not for a word.
+LONGEST_ROW = 3
 # Words that are sometimes printed as letters in italics.
 ITALICS = ("if", "for", "where", "when", "with", "and", "or", "else", "forall")
 _BLANK = re.compile(r"\\[,;: ]|[~\s]+")

@@ -51,10 +51,10 @@ def find_factors(prints: Iterable[str], numbers: Collection[str] = ()) -> tuple[
             inside = texts[n : n + find_close(texts[n:])]
             argument = {*inside} & {*RUNNING, *around[n]}
             is_bound = letter in beside and bool(argument) and argument <= around[n]
-            # Positions run with anything, all else with time: v(t-t_0), x(\varphi+\pi).
-            moved_by = RUNNING if letter in RUNNING else _TIMES
+            # Rates and numbers may depend on time, v(t-t_0), all else on any letter that runs.
+            moved_by = _TIMES if letter in _RATES else RUNNING
             is_number = letter in numbers and not {*inside} & {*moved_by}
-            brackets[letter].append(_is_factor(inside, is_number=is_bound or is_number))
+            brackets[letter].append(_is_factor(inside, is_known=is_bound or is_number))
     bare |= {letter for letter in brackets if letter.startswith(DOTTED)}
     return tuple(
         x
@@ -68,7 +68,7 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
 
     Further pairs are a letter and \pi, or a variable of a limit, derivative or integral, and the
     letters of a ratio of fixed letters and a running one, \sin\frac{2\pi}Tt. Letters in a bracket
-    count one by one, \cos(a+b)x.
+    count one by one, \cos(a+b)x, unless \cos(a+b) is also printed without a letter after it.
     """
     met: list[tuple[str, str]] = []
     found: set[tuple[str, str]] = set()
@@ -77,18 +77,18 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
         going |= {by for *two, by in zip(texts, texts[1:], texts[2:], strict=False) if two == _BY}
         begin = texts.index(r"\int") if r"\int" in texts else len(texts)
         going |= {by for d, by in pairwise(texts[begin:]) if d == "d"}
-        for start in (n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS):
-            n = skip_power(texts, start + 1)
-            while texts[n : n + 1] and is_digit(texts[n]):
-                n += 1
+        starts = [n for n, text in enumerate(texts) if text.removeprefix("\\") in FUNCTIONS]
+        arguments = {start: _find_argument(texts, start) for start in starts}
+        waves = [(texts[n], *_read_bracket(texts, place)) for n, place in arguments.items()]
+        bare = [(wave, inside) for wave, inside, by in waves if by not in (*going, *RUNNING)]
+        for start, n in arguments.items():
             one, other, third = _read_names(texts, n)
             met.append((one, other))
             if one in _RATES and other in going:
                 found.add((one, other))
-            inside = texts[n : n + find_close(texts[n:])] if one == "(" else []
+            inside, after = _read_bracket(texts, n)
             rates = {text for text in inside if begins_letter(text)}
-            after = "".join(texts[n + len(inside) + 1 : n + len(inside) + 2])
-            if rates <= {*_RATES}:
+            if rates <= {*_RATES} and (after == r"\pi" or (texts[start], inside) not in bare):
                 met += [(rate, after) for rate in rates]
                 found |= {(rate, after) for rate in rates if after in (*going, r"\pi")}
             if texts[start] not in _OF_ANGLES:
@@ -105,6 +105,22 @@ def find_phases(prints: Iterable[str]) -> set[tuple[str, str]]:
         if (one.partition("_")[0] in _SPEEDS and other in _TIMES)
         or ((one in (*_RATES, *_SPEEDS) and other in RUNNING) and met.count((one, other)) > 1)
     }
+
+
+def _find_argument(texts: Sequence[str], start: int) -> int:
+    """Return the place behind a function, its power and a number before its argument."""
+    place = skip_power(texts, start + 1)
+    while texts[place : place + 1] and is_digit(texts[place]):
+        place += 1
+    return place
+
+
+def _read_bracket(texts: Sequence[str], place: int) -> tuple[Sequence[str], str]:
+    """Return the content of the bracket at a place and the sign after it; nothing if none."""
+    if texts[place : place + 1] != ["("]:
+        return [], ""
+    inside = texts[place : place + find_close(texts[place:])]
+    return inside, "".join(texts[place + len(inside) + 1 : place + len(inside) + 2])
 
 
 def _read_names(texts: Sequence[str], place: int) -> tuple[str, str, str]:
@@ -185,15 +201,15 @@ def _find_integrals(texts: Sequence[str]) -> Iterator[tuple[int, int, str]]:
                 yield start, place, "".join(texts[place + 1 : place + 2])
 
 
-def _is_factor(bracket: Sequence[str], *, is_number: bool) -> bool:
+def _is_factor(bracket: Sequence[str], *, is_known: bool) -> bool:
     """Return whether a bracket is not an argument, as x+h is, or 1-x outside an integral over x.
 
-    It contains a product with a dot, or it is a sum after a number, with a function, or of 1 and a
-    power.
+    It contains a product with a dot, or it is a sum: after a number, with a bound variable, with a
+    function, or of 1 and a power.
     """
     depths = measure_depths(bracket)
     inside = [x if depth == 1 else "" for x, depth in zip(bracket, depths, strict=True)]
     has_function = any(x.removeprefix("\\") in FUNCTIONS or x == r"\sqrt" for x in inside)
     is_ratio = inside[1:2] == ["1"] and "^" in inside
     is_sum = any(sign in inside[2:] for sign in ("+", "-", r"\pm"))
-    return r"\cdot" in inside or (is_sum and (is_number or has_function or is_ratio))
+    return r"\cdot" in inside or (is_sum and (is_known or has_function or is_ratio))

@@ -175,7 +175,7 @@ def _find_unit_after(text: str) -> tuple[str, Unit]:
 
 
 def read_quantity(value: str, after: str = "") -> tuple[Numeral | None, str]:
-    """Return a number and its unit, which may follow it as `behind`; (None, "") if none."""
+    """Return a number and its unit, which may follow it as `after`; (None, "") if none."""
     plain = _UPRIGHT.sub(r"\\mathrm{\1}", value)
     plain = _QUANTITY.sub(lambda one: one[3] + r"^\circ" if one[3] else one[1] + one[2], plain)
     if after and _DIGITS.fullmatch(bare := plain.replace(r"\,", "").rstrip("\\")):

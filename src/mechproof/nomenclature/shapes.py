@@ -296,12 +296,12 @@ class Shapes:
             return
         place = shapes.index(None)
         before = [one for one in shapes[:place] if one not in (None, NUMBER)]
-        behind = [one for one in shapes[place + 1 :] if one not in (None, NUMBER)]
+        following = [one for one in shapes[place + 1 :] if one not in (None, NUMBER)]
         rows = before[-1][1] if before else shape[0]
-        columns = behind[0][0] if behind else shape[1]
+        columns = following[0][0] if following else shape[1]
         factor = node.factors[place]
         is_bold = _is_bold_capital(factor) and r"\times" not in node.signs
-        may_be_number = (before or behind) and rows == columns and not is_bold
+        may_be_number = (before or following) and rows == columns and not is_bold
         if not may_be_number or self._is_matrix(factor):
             self._push(factor, (rows, columns))
 

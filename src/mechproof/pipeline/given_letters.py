@@ -56,10 +56,10 @@ def solve_equation(
 ) -> tuple[sp.Basic, sp.Expr]:
     r"""Return a letter that an equation gives in terms of others, A+B+C=\pi, with its value.
 
-    It is alone on a side, or it or its reciprocal has only a number as factor, or its range makes
-    it an inverse sine, cosine or tangent, or a square root, or its factor is said to be nonzero, or
-    to divide it, as in a/\sin\alpha=b/\sin\beta. Of several, those that depend on other letters
-    come first, then those alone on a side, then the last by name.
+    It is alone on a side; or it or its reciprocal has only a number as factor; or its range makes
+    it an inverse sine, cosine or tangent, or a square root; or its factor cannot be zero, as in
+    a/\sin\alpha=b/\sin\beta. Of several, those that depend on other letters come first, then
+    those alone on a side, then the last by name, or the first if it has such a factor.
     """
     sides = (equation.lhs, equation.rhs), (equation.rhs, equation.lhs)
     alone = [(one, other) for one, other in sides if one.is_Symbol and not other.has(one)]
@@ -138,10 +138,14 @@ def _is_never_zero(factor: sp.Expr, said: Sequence[sp.Basic]) -> bool:
 
 
 def _list_sets(letter: sp.Basic, said: Sequence[sp.Basic]) -> list[sp.Set]:
-    """List the sets to which inequalities of polynomials restrict a letter."""
+    """List the sets to which inequalities of polynomials and their moduli restrict a letter."""
     own = (one for one in said if one.free_symbols == {letter})
-    plain = (one for one in own if all(side.is_polynomial(letter) for side in one.args))
-    return [one.as_set() for one in plain]
+    return [one.as_set() for one in own if _is_plain(one, letter)]
+
+
+def _is_plain(relation: sp.Basic, letter: sp.Basic) -> bool:
+    opened = relation.xreplace({modulus: modulus.args[0] for modulus in relation.atoms(sp.Abs)})
+    return isinstance(opened, sp.Rel) and all(x.is_polynomial(letter) for x in opened.args)
 
 
 def give_values(

@@ -47,7 +47,7 @@ _RUNS = re.compile(r"\\(?:lim|sum|prod)_\{\s*([A-Za-z])(?![A-Za-z])")
 # Matches an e that is an eccentricity: 1-e^2, 1+e\cos\varphi.
 _ECCENTRIC = re.compile(r"1\s*[-+]\s*e\s*\^\s*\{?2|(?<![A-Za-z])e\s*\\(?:cos|sin)(?![A-Za-z])")
 # Matches the interval on which a logarithm grows from 0 to 1.
-_FROM_ONE = re.compile(r"\\int_\{?1\}?\^\{?e(?![A-Za-z])")
+_FROM_ONE = re.compile(r"\\int_\{?1\}?\^\{?e(?![A-Za-z_'])")
 
 
 def find_declared(conditions: Iterable[str]) -> list[str]:

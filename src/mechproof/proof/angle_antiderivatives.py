@@ -107,13 +107,13 @@ def propose_by_waves(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Exp
     for n in range(power - 1, 0, -1):
         found -= left / (n * variable**n)
         left = sp.expand(sp.diff(left, variable) / n)
-    rest = sp.S.Zero
+    remaining = sp.S.Zero
     for term in sp.Add.make_args(left):
         factor, wave = term.as_independent(variable, as_Add=False)
         if isinstance(wave, sp.sin) and not sp.cancel(wave.args[0] / variable).has(variable):
             found += factor * sp.Si(wave.args[0])
         else:
-            rest += term / variable
-    if not sp.sympify(rest).subs(variable, 0).has(sp.zoo, sp.nan):
-        for other in propose_by_rules(rest, variable):
+            remaining += term / variable
+    if not remaining.subs(variable, 0).has(sp.zoo, sp.nan):
+        for other in propose_by_rules(remaining, variable):
             yield sp.expand(found + other)

@@ -26,7 +26,7 @@ _LARGEST = 60
 def holds_at_ends(
     slack: Slack, domain: Domain, show: Callable[[Slack, Domain], str | None]
 ) -> bool:
-    """Return whether a number is shown to have its sign for equal angles and with one of zero."""
+    """Return whether a sign is shown for equal angles, and where one of them is zero."""
     value = domain.resolve(slack.value)
     angles = sorted(value.free_symbols, key=str)
     waves = value.atoms(sp.sin, sp.cos)
@@ -50,7 +50,7 @@ def holds_at_ends(
 
 
 def _write_by_cosine(value: sp.Expr, angles: list[sp.Expr]) -> tuple[sp.Expr, sp.Expr] | None:
-    """Return what a number is for equal angles and with one of zero; None if it is not linear."""
+    """Return what a number is for equal angles, and where one is zero; None if it is not linear."""
     written = value.subs(dict(zip(angles, ((_S + _D) / 2, (_S - _D) / 2), strict=True)))
     while (other := sp.expand(TR8(sp.expand(written)))) != written:
         written = other

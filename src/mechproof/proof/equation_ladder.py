@@ -260,7 +260,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
 
 
 def _find_between_wholes(sides: tuple[sp.Expr, sp.Expr], domain: Domain) -> Answer | None:
-    """Answer for sides with infinite sums that are equal where a letter is no whole number."""
+    """Answer for sides with infinite sums that are equal where a letter is not a whole number."""
     sums = {total for side in sides for total in side.atoms(sp.Sum) if total.limits[0][2] == sp.oo}
     letters = {s for total in sums for s in total.free_symbols if not s.is_integer}
     said = {s for relation in domain.where for s in relation.free_symbols}

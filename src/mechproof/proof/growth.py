@@ -107,11 +107,14 @@ def _find_direction_far_out(number: sp.Expr, domain: Domain) -> int | None:
 
 
 def _direction(number: sp.Expr, domain: Domain) -> int | None:
-    """Return the sign, 1 or -1, of a number shown to be nonzero; that of ln u is that of u - 1."""
+    """Return the sign, 1 or -1, of a number that is shown to be nonzero, else None.
+
+    That of ln u is the sign of u - 1.
+    """
     if number in (sp.oo, -sp.oo):
         return 1 if number == sp.oo else -1
     scale, logarithm = (join_logarithms(number) or number).as_coeff_Mul()
-    if isinstance(logarithm, sp.log):
+    if isinstance(logarithm, sp.log) and is_positive(logarithm.args[0], domain):
         number = scale * sp.together(logarithm.args[0] - 1)
     sign = find_sign(number, domain)
     return sign.direction if sign is not None and sign.strict else None

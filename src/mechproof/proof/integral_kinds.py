@@ -19,7 +19,7 @@ from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import Slack
-from mechproof.record.parts import TURNING
+from mechproof.record.parts import CIRCULAR, TURNING
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -142,10 +142,12 @@ def unwind(integral: sp.Integral) -> sp.Integral:
     angles = {wave.args[0] for wave in integrand.atoms(*TURNING) if wave.has(x)}
     u = sp.Dummy("u", real=True)
     inner = integrand.xreplace(dict.fromkeys(angles, u))
+    # What contains u outside of waves, as exp(2*x)*cos(2*x) does, is not periodic.
+    is_periodic = not inner.xreplace({wave(u): sp.Dummy() for wave in CIRCULAR}).has(u)
     turns = (upper - lower) / (2 * sp.pi)
     is_even = inner.subs(u, u + sp.pi) == inner
     is_whole = (2 * turns if is_even else turns).is_Integer and turns > 0
-    if len(angles) != 1 or inner.has(x) or not is_whole:
+    if len(angles) != 1 or inner.has(x) or not (is_periodic and is_whole):
         return integral
     (angle,) = angles
     times = sp.diff(angle, x)
@@ -155,7 +157,8 @@ def unwind(integral: sp.Integral) -> sp.Integral:
         along, across = (wave.coeff(one) for one in (sp.cos(u), sp.sin(u)))
         turned = inner.subs(wave, sp.sqrt(along**2 + across**2) * sp.cos(u))
         is_wave = wave == along * sp.cos(u) + across * sp.sin(u) and across != 0
-        if turns.is_Integer and is_wave and not inner.subs(wave, 0).has(u):
+        is_alone = not (along.has(u) or across.has(u) or inner.subs(wave, sp.Dummy()).has(u))
+        if turns.is_Integer and is_wave and is_alone:
             inner = turned
     return sp.Integral(inner.xreplace({u: x}), (x, lower, upper))
 

@@ -24,7 +24,8 @@ RUNG = "known integral"
 X = sp.Dummy("x", real=True)
 _A, _B, _C = (sp.Wild(name, exclude=(X, 0)) for name in "abc")
 _ANY = sp.Wild("a", exclude=(X,))
-# With whole exponents the integrals are elementary, and found without this table.
+# With whole exponents the integrals are elementary, and found without this table; 1 is allowed
+# beside another exponent, X**a/(1 + X).
 _FRACTIONS = [lambda number: not number.is_integer]
 _P, _Q = (sp.Wild(name, exclude=(X, 0), properties=_FRACTIONS) for name in "pq")
 _M = sp.Wild("m", exclude=(X, 0), properties=[lambda number: number == 1 or not number.is_Integer])

@@ -80,8 +80,8 @@ def rewrite_sum(node: sp.Add, y: sp.Symbol) -> Iterator[sp.Expr]:
     yield from (one for one in written if one is not None and one != node)
 
 
-def join_logarithms(node: sp.Add) -> sp.Expr | None:
-    """Write c*(ln u - ln v) plus a rest as c*ln(u/v) plus the rest."""
+def join_logarithms(node: sp.Expr) -> sp.Expr | None:
+    """Write c*(ln u - ln v) + r as c*ln(u/v) + r; None with fewer than two logarithms."""
     terms = [t.as_coeff_Mul() for t in sp.Add.make_args(node)]
     logarithms = [(f, t.args[0]) for f, t in terms if isinstance(t, sp.log)]
     if len(logarithms) < 2:

@@ -33,14 +33,11 @@ from mechproof.proof.signs import is_positive
 from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
 
-# Work limit: the power of the variable by which sines and cosines are divided.
-_HIGHEST = 2
-
 
 def propose(integrand: sp.Expr, variable: sp.Symbol, domain: Domain) -> Iterator[sp.Expr]:
     """Propose antiderivatives; SymPy is told which parameters are positive, but decides nothing.
 
-    An exponent above a number is that number and a positive one.
+    An exponent said to exceed a number is written as that number plus a positive one.
     """
     if _is_beyond(integrand, variable):
         return
@@ -165,7 +162,7 @@ def _propose_by_bell(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp.Exp
     """Integrate exp(-a*x**2 + b*x + c) by an error function, completing the square."""
     factor, bell = sp.powsimp(integrand).as_independent(variable, as_Add=False)
     exponent = sp.Poly(bell.args[0], variable) if isinstance(bell, sp.exp) else None
-    if exponent is None or exponent.degree() != _HIGHEST:
+    if exponent is None or exponent.degree() != 2:
         return
     a, b, c = (sign * x for sign, x in zip((-1, 1, 1), exponent.all_coeffs(), strict=True))
     argument = sp.sqrt(a) * (variable - b / (2 * a))
@@ -197,8 +194,8 @@ def _propose_in_parallel(integrand: sp.Expr, variable: sp.Symbol) -> Iterator[sp
     """Integrate by the integrand's own parts with unknown factors (Bronstein 2005).
 
     An error function is added for each exponential of a square. Skipped because they take long:
-    functions divided by or raised to letters, waves divided by powers, roots of functions, and
-    roots other than square roots next to functions.
+    functions divided by or raised to letters, waves whose divisor contains the variable, roots of
+    functions, and roots other than square roots next to functions.
     """
     below = sp.fraction(sp.together(integrand))[1]
     functions = {node for node in below.atoms(sp.Function) if not isinstance(node, sp.exp)}

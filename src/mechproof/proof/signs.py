@@ -145,7 +145,7 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
 
     factors = sp.Mul.make_args(factored := sp.factor(expression))
     bases = (base for factor in factors for base in (factor, factor.as_base_exp()[0]))
-    # Of three factors none may be stated, but the product of two.
+    # Of three factors, the product of two may be stated although none is alone.
     if len(factors) < 3 and not any(_find_stated_sign(base, said) for base in bases):
         return None
     sign = multiply_signs(factored, find)
@@ -153,7 +153,7 @@ def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign |
 
 
 def _leave_out(slack: Slack, domain: Domain) -> Domain:
-    """Return the domain without letters that a slack lacks: they are often new in each proof."""
+    """Return the domain without the letters that a slack lacks, which are often new each time."""
     letters = find_free(slack.value)
     kept = {s: v for s, v in domain.within.items() if s in letters or not s.is_Symbol}
     return replace(domain, within=kept)

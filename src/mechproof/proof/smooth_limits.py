@@ -20,7 +20,7 @@ _ENTIRE = (
 def find_smooth(
     body: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain
 ) -> sp.Expr | None:
-    """Return the limit of a quotient of functions that are smooth around a point, or None."""
+    """Return the limit of a quotient or power of functions smooth around a point, or None."""
     if point.is_infinite:
         # x tends to infinity as 1/x tends to zero.
         body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero

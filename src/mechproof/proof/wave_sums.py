@@ -288,7 +288,7 @@ def _turn(factor: sp.Expr, wave: _Wave, angle: sp.Expr) -> tuple[sp.Expr, _Wave,
 
 
 def _find_angle(wave: _Wave, angle: sp.Expr, known: _Value, domain: Domain) -> sp.Expr | None:
-    """Return the angle, or the modulus of that of a cosine, if it is shown to lie in the range."""
+    """Return the angle, or for a cosine its modulus, if shown to lie in the range; else None."""
     is_above = is_positive if known.is_open else is_nonnegative
     if not is_above(known.end - angle, domain):
         return None

@@ -199,8 +199,8 @@ def _put_on(bounds: Array, off: Array) -> Array:
 def _prove_arc(signs: int, reversals: Sequence[bool], kind: str) -> ErrorTable:
     """Bound the error of a quotient's arctangent, or a point's angle, by the size of the quotient.
 
-    The result must change sign with each of the first `signs` arguments; `reversals` says whether
-    the second argument is to be covered where it is positive, negative, or both.
+    The result must change sign with each of the first `signs` arguments; `reversals` lists
+    the signs of the second argument to cover: False for positive, True for negative.
     """
     program = build(kind, DOUBLE).program
     _check_signs(program, program.inputs[:signs])
@@ -234,8 +234,8 @@ def _bound_arc(kind: str, low: Array, high: Array, case: Case) -> Array:
     scaled = find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps))).scaled
     straight = replace(found.straight, scaled=scaled)
     above, below = (other, one) if case.is_larger else (one, other)
-    quarters = 1 if case.is_larger else 2 * case.is_reversed
-    is_backward = case.is_larger != case.is_reversed
+    quarters = 1 if case.is_larger else 2 * case.is_left
+    is_backward = case.is_larger != case.is_left
 
     def sides(w: Series) -> tuple[Series, Series]:
         (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)

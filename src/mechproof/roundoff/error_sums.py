@@ -1,7 +1,7 @@
 """Error sums: in, steps with slopes and roundings over boxes; out, bounds on a result's error.
 
-One backward pass gives the derivative of a result with respect to each step. What the roundings of
-all steps move it by is added up in eps of a scale, and by condition numbers.
+One backward pass gives the derivative of a result with respect to each step. The effects of
+all roundings are added up in eps of a scale, and by condition numbers.
 """
 
 from __future__ import annotations

@@ -60,13 +60,13 @@ class Whole:
 class Case:
     """The facts a program decides by: the number of quarter turns, which size is the larger.
 
-    `is_larger` means that the first size is, `is_reversed` that the second argument is negative.
+    `is_larger` means that the first size is, `is_left` that the second argument is negative.
     The larger size is never zero.
     """
 
     number: Whole | None = None
     is_larger: bool = False
-    is_reversed: bool = False
+    is_left: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ class _Resolver:
         is_last = isinstance(signed, _Signed) and signed.sign == self._inputs[-1]
         if not (is_last and _is_number(zero) and zero == 0):
             raise ValueError(f"{signed} < {zero}: only the last argument is compared with zero")
-        return self._case.is_reversed
+        return self._case.is_left
 
     def _compare(self, kind: str, *given: _Known) -> bool:
         # Both are inputs, so no rounding can change how they compare.

@@ -188,9 +188,9 @@ def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
 
 
 def doubt_by_frames(at: Judging) -> Changes:
-    """Accuse no derivative of a vector that may be taken in a turning frame.
+    """Accuse no derivative of a vector that may be taken in a rotating frame.
 
-    That of the vector itself then differs from that of its entries by a cross product with it.
+    It then differs from the derivative of the entries by a cross product with the vector.
     """
     asked = []
     for n, task in enumerate(at.tasks):
@@ -201,7 +201,7 @@ def doubt_by_frames(at: Judging) -> Changes:
         if is_turned is True:
             reason = (
                 f"it differs from the derivative of the entries of {at.tasks[n].sign.first} by a "
-                "vector at right angles to it: is it the derivative in a turning frame?"
+                "vector perpendicular to these: is it the derivative in a rotating frame?"
             )
             yield n, make_row(at.tasks[n], reason)
 

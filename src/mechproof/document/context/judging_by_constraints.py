@@ -199,7 +199,7 @@ def _find_misprint(
 
 
 def _list_zeros(later: Sequence[Task]) -> Iterator[tuple[sp.Basic, sp.Expr]]:
-    """Yield letters that later rows set to zero: what is printed after these may rest on it."""
+    """Yield letters that later rows set to zero: a row may already assume that."""
     for says in (task.row.says for task in later if task.sign.role is Role.SIZE):
         if isinstance(says, Definition) and says.printed == 0:
             yield says.symbol, sp.S.Zero

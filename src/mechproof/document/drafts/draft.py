@@ -188,9 +188,9 @@ def _take_units(
 def _add_inline(
     source: Source, entries: dict[str, drafted_lines.DraftedLetter], unit: str
 ) -> tuple[list[tuple[str, Inline]], Collected]:
-    """Enter the letters of formulas that sentences give letters, which may have some, too.
+    """Enter the letters of formulas that sentences give for letters, and of those for these.
 
-    Returns these formulas, the sizes beside them, and what was collected.
+    Returns the formulas, each with the name it defines, and what was collected from them.
     """
     while True:
         inline, count = _find_inline(source, entries), len(entries)

@@ -137,8 +137,10 @@ class SizeTables:
                 reason = "is not compared: its head cannot be read"
                 self._describe(cell.offset, f"the column {cell.string.strip()} {reason}")
             if not found:
-                lacks = "no numbers of a letter with a formula", "no two letters in its head"
-                reason = f"this table is not compared: it shows {lacks[grid is None]}"
+                lacks = "its head has fewer than two letters"
+                if grid:
+                    lacks = "it shows no numbers of a letter with a formula"
+                reason = f"this table is not compared: {lacks}"
                 self._describe(table.offset, reason)
 
     def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
