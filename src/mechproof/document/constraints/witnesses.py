@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import zip_longest
 
 import mpmath
@@ -74,21 +75,31 @@ def find_points(
     `count` starts with small letters and `count` others are tried. No point is found if slopes
     cannot be computed: those of a floor, of a limit, or of a sum by its bound.
     """
-    symbols = sorted(letters, key=str)
-    slopes = _differentiate(residuals, symbols).tolist() if residuals and symbols else []
-    both = [[*map(take_values, residuals)], slopes]
+    own = sorted({s for one in residuals for s in one.free_symbols}, key=str)
+    symbols = sorted(letters.union(own), key=str)
+    if not own and any(residuals):
+        return
     try:
-        systems = [sp.lambdify(symbols, both, name, cse=True) for name in ("math", "mpmath")]
+        systems = _compile(tuple(residuals), tuple(own))
     except (NotImplementedError, ValueError):
         return
     with mpmath.workdps(_DIGITS):
         for start in _list_starts(residuals, symbols, domain, count):
-            end = _find_zero(systems, [start[s] for s in symbols]) if residuals else None
-            if residuals and not end:
+            end = _find_zero(systems, [start[s] for s in own]) if own else []
+            if end is None:
                 continue
-            point = dict(zip(symbols, map(_to_fraction, end), strict=True)) if end else start
+            point = start | dict(zip(own, map(_to_fraction, end), strict=True))
             if domain.allows(point):
                 yield point
+
+
+# The rows of a paper are judged by the same constraints, which take long to compile.
+@lru_cache(maxsize=256)
+def _compile(residuals: tuple[sp.Expr, ...], symbols: tuple[sp.Basic, ...]) -> tuple[System, ...]:
+    """Return the residuals and their slopes as functions of doubles and of many digits."""
+    slopes = _differentiate(residuals, symbols).tolist() if symbols else []
+    both = [[*map(take_values, residuals)], slopes]
+    return tuple(sp.lambdify(symbols, both, name, cse=True) for name in ("math", "mpmath"))
 
 
 def _differentiate(residuals: Sequence[sp.Expr], symbols: Sequence[sp.Basic]) -> sp.Matrix:

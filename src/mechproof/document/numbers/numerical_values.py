@@ -17,6 +17,7 @@ from mechproof.document.known import Known
 from mechproof.document.numbers.scales import Scales, may_turn_units
 from mechproof.document.row_sides import SLOW
 from mechproof.document.tasks import Role, Sign
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.record import FREQUENCY, NUMBER, Equality, Holds, Row
 from mechproof.record.unit_notation import UNITS, Unit, read_unit, weigh
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
@@ -44,7 +45,8 @@ def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:
     own = sign.own or sign.letter
     sides = _list_sides(row, sign, known)
     settled = [known.settle(side) for side in sides]
-    if own is None or not settled or any(side.has(*SLOW) for side in settled):
+    is_slow = any(is_matrix(side) or side.has(*SLOW) for side in settled)
+    if own is None or not settled or is_slow:
         return row
     ratio = _find_ratio(*settled)
     if ratio is None or abs(ratio - 1) < _SMALL:
