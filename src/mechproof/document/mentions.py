@@ -14,6 +14,7 @@ from mechproof.document.known import Known
 from mechproof.document.tasks import EQUAL
 from mechproof.latex import tree
 from mechproof.latex.characters import find_disguised, find_replaced, name_character, write_plain
+from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import is_number
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.block import Block
@@ -106,7 +107,7 @@ def _fits_only(unit: Dimension, read: Print, chain: tree.Chain, number: int) -> 
     """
     known = read.reader.notation.dimensions
     first, product = (read.meaning().of(chain.members[n]) for n in (0, number))
-    are_scalars = isinstance(first, sp.Expr) and isinstance(product, sp.Expr)
+    are_scalars = not (is_matrix(first) or is_matrix(product))
     with suppress(DimensionError):
         if are_scalars and first.free_symbols | product.free_symbols <= known.keys():
             return infer(first, known) == unit != infer(product, known)

@@ -232,7 +232,7 @@ def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.
 
 
 class _Writer(ReprPrinter):  # type: ignore[misc]
-    """SymPy's `srepr`, except that a part that occurs repeatedly is written once."""
+    """SymPy's `srepr`, which keeps the text of each part, as many occur repeatedly."""
 
     def __init__(self) -> None:
         super().__init__()
