@@ -207,6 +207,22 @@ CASES = {
         ],
         ["DEFINITION", "DEFINITION", "DEFINITION", "not judged", "PROVED"],
     ),
+    "the largest and the smallest value of a law": (
+        [
+            r"s=\begin{cases}a\psi/k&0\le\psi\le k\\a&\psi>k\end{cases}",
+            r"\max_\psi s=a",
+            r"\max_\psi s=2a",
+            r"\min_\psi s=0",
+            r"h=\begin{cases}a\sin\frac{\pi\psi}k&0\le\psi\le k\\0&\psi>k\end{cases}",
+            r"\max_\psi h=a",
+            r"\min_\psi h=0",
+            r"\min_\psi h=-a",
+        ],
+        [
+            *("DEFINITION", "PROVED", "REFUTED", "PROVED"),
+            *("DEFINITION", "PROVED", "PROVED", "REFUTED"),
+        ],
+    ),
     "pieces of a law are no contradiction": (
         [r"k=m,\quad m>0", r"k=-m,\quad m<0"],
         ["DEFINITION", "DEFINITION"],
@@ -220,6 +236,7 @@ SAID = {
     "a law in displays of its own, and where its pieces meet": "%% where 0<k<u\n",
     "values of a law by pieces": "%% where 0<k<u\n",
     "a law with one range, and its mean": "%% where 0<k\n",
+    "the largest and the smallest value of a law": "%% where 0<k; a>0; \\psi>=0\n",
 }
 
 

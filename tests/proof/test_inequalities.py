@@ -73,6 +73,8 @@ TABLES = {
         (r"\frac x{\lfloor x\rfloor}<2", r"\frac x{\lfloor x\rfloor}<\frac{19}{10}", r"x\ge1"),
         (r"\cos E>e", r"\cos E>2e", r"E<\arccos e, 0<E, 0<e<\frac12"),
         (r"\mathrm{e}^x<y", r"\mathrm{e}^x<\frac{9y}{10}", r"x<\ln y"),
+        (r"\sin\frac{\pi x}b\ge0", r"\sin\frac{\pi x}b>0", r"0\le x\le b, b>0"),
+        (r"\cos\frac{\pi x}{2b}\ge0", r"\cos\frac{\pi x}{2b}>0", r"0\le x\le b, b>0"),
     ),
     CASES: (
         (r"\left||a|-|b|\right|\le|a-b|", r"\left||a|-|b|\right|\ge|a-b|", ""),

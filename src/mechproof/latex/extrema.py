@@ -2,11 +2,12 @@ r"""Largest and smallest values, `\max_\theta f`: a bound that holds everywhere 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice, permutations
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.latex.measures import begins_member
 from mechproof.latex.tree import Extremum, Letter, Node
@@ -89,7 +90,8 @@ def state_extremum(
         return Conjunction((Equality(bound, extreme, "member"),))
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
     sign, known = _SIGNS[node.name], settle_all(bound, values)
-    reached = [term.xreplace({by: place}) for place in _list_places(term, by, within)]
+    places = _list_places(term, by, within)
+    reached = {term.xreplace({by: place}): within.contains(place) for place in places}
     # For letters of another order by size, the extremum may lie elsewhere.
     orders = [*islice(permutations(letters), _ORDERS)]
     agree = [any(_agree(there, known, one) for there in reached) for one in orders]
@@ -98,7 +100,9 @@ def state_extremum(
     for there in reached:
         if _agree(there, known, letters):
             limit = sign(value, bound, evaluate=False)
-            return Conjunction((Holds(limit), Equality(there, bound, "member")))
+            return Conjunction(
+                (Holds(limit), *_state_true(reached[there]), Equality(there, bound, "member"))
+            )
     pairs = [
         (number, there) for there in reached if (number := _evaluate(there, letters)) is not None
     ]
@@ -108,7 +112,13 @@ def state_extremum(
     extreme = choose(pairs, key=lambda pair: pair[0])[1]
     # A value that bounds the term everywhere is its extremum; no other value is.
     limit = sign(value, extreme, evaluate=False)
-    return Conjunction((Holds(limit), Equality(extreme, bound, "member")), needs_first=True)
+    inside, equal = _state_true(reached[extreme]), Equality(extreme, bound, "member")
+    return Conjunction((Holds(limit), *inside, equal), needs_first=True)
+
+
+def _state_true(condition: sp.Basic) -> Iterator[Holds]:
+    """State the parts of a condition that letters have to meet."""
+    return (Holds(part) for part in sp.And.make_args(condition) if part != sp.true)
 
 
 def _agree(one: sp.Expr, other: sp.Expr, letters: Sequence[sp.Basic]) -> bool:
@@ -155,10 +165,19 @@ def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def _list_places(term: sp.Expr, by: sp.Basic, within: sp.Set) -> list[sp.Expr]:
+    ends = [end for end in (within.inf, within.sup) if end.is_finite]
+    found = dict.fromkeys((*_list_stationary(term, by), *ends))
+    return [place for place in found if within.contains(place) != sp.false]
+
+
+def _list_stationary(term: sp.Expr, by: sp.Basic) -> list[sp.Expr]:
+    """List places at which a term may be stationary; of pieces, their ends as well."""
+    if isinstance(term, sp.Piecewise):
+        edges = (part.lhs - part.rhs for part in term.atoms(Relational))
+        inside = [place for piece, _ in term.args for place in _list_stationary(piece, by)]
+        return [place for edge in edges if (place := find_zero(edge, by)) is not None] + inside
     arguments = (part.args[0] for part in term.atoms(*TURNING))
     turns = [find_zero(argument - turn, by) for argument in arguments for turn in _TURNS]
     slope = sp.Poly(term.diff(by), by) if term.is_polynomial(by) else None
     roots = sp.roots(slope) if slope is not None and slope.degree() in (1, 2) else {}
-    ends = [end for end in (within.inf, within.sup) if end.is_finite]
-    found = dict.fromkeys(place for place in (*turns, *roots, *ends) if place is not None)
-    return [p for p in found if within == sp.S.Reals or within.contains(p) == sp.true]
+    return [*(place for place in turns if place is not None), *roots]

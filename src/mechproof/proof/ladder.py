@@ -315,16 +315,22 @@ def _list_turns(relation: sp.Basic) -> list[sp.Basic] | None:
 
 
 def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
-    """Prove an inequality for each combination of signs of the arguments of its moduli."""
+    """Prove an inequality piece by piece, and for all signs of the arguments of its moduli."""
     slack = find_slack(relation)
-    if slack is None or (written := write_pieces(slack.value)) == slack.value:
+    if slack is None or not (written := write_pieces(slack.value)).has(sp.Piecewise):
         return None
 
     def prove(value: sp.Expr, zero: sp.Expr, part: Domain) -> str | None:
+        if value is sp.nan:
+            # No piece is meant here, so there is no value.
+            return SIGN
         if value.has(sp.Piecewise):
             return decide_by_pieces((value, zero), part, prove)
         one = slack._replace(value=value)
-        return SIGN if is_shown(one, part) else show_sign(one, part)
+        if is_shown(one, part):
+            return SIGN
+        relation = (sp.Gt if slack.strict else sp.Ge)(value, 0, evaluate=False)
+        return show_sign(one, part) or prove_on_parts(relation, part, prove_relation)
 
     return prove(written, sp.S.Zero, domain)
 

@@ -112,8 +112,17 @@ def _find_sign_at_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None
     others += [s for s in wave.free_symbols if s in named.free_symbols]
     if others or not (named.is_polynomial(size) and sp.degree(named, size) == 1):
         return None
-    least = 0 if isinstance(wave, sp.cos) and _is_acute(wave.args[0], domain) else -1
+    least = 0 if _is_nonnegative_wave(wave, domain) else -1
     return _weaker(*(find_sign(named.subs(size, end), domain) for end in (least, 1)))
+
+
+def _is_nonnegative_wave(wave: sp.Function, domain: Domain) -> bool:
+    """Return whether an angle is proved to lie where its sine or cosine is not negative."""
+    angle = wave.args[0]
+    if angle.atoms(sp.Function):
+        return False
+    middle = sp.S.Zero if isinstance(wave, sp.cos) else sp.pi / 2
+    return all(is_nonnegative(sp.pi / 2 + k * (angle - middle), domain) for k in (1, -1))
 
 
 def _find_sign_by_relations(expression: sp.Expr, domain: Domain) -> StrictSign | None:

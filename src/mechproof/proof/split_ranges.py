@@ -1,4 +1,4 @@
-"""Statements on parts of a range: on both sides of an excluded number, and within a period."""
+"""Statements on parts of a range: beside an excluded number or an edge, and within a period."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.proof.cases import narrow
+from mechproof.proof.cases import fix, narrow
 from mechproof.record.parts import TURNING, find_free
+from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
 # Returns the name of the rung that proves a relation on a domain, or None.
@@ -16,8 +17,12 @@ Prove = Callable[[sp.Basic, Domain], str | None]
 
 
 def prove_on_parts(relation: sp.Basic, domain: Domain, prove: Prove) -> str | None:
-    """Prove a relation below and above an excluded number, or within a period; name the rung."""
-    parts = _split_at_hole(relation, domain) or _list_period(relation, domain)
+    """Prove a relation below and above an excluded number, on an edge and off it, or in a period.
+
+    Return the name of the rung.
+    """
+    split = (_split_at_hole, _split_at_edge, _list_period)
+    parts: list[Domain] = next(filter(None, (one(relation, domain) for one in split)), [])
     rungs = [prove(relation, part) for part in parts]
     return None if None in rungs else next(iter(rungs), None)
 
@@ -28,6 +33,22 @@ def _split_at_hole(relation: sp.Basic, domain: Domain) -> list[Domain]:
             rest = replace(domain, where=tuple(said for said in domain.where if said != hole))
             parts = (narrow(rest, kind(hole.lhs, hole.rhs)) for kind in (sp.Lt, sp.Gt))
             return [part for part in parts if part is not None]
+    return []
+
+
+def _split_at_edge(relation: sp.Basic, domain: Domain) -> list[Domain]:
+    """Split off where two letters of one angle are tied by x = b, the edge of x <= b."""
+    angles = [find_free(wave.args[0]) for wave in relation.atoms(*TURNING)]
+    for said in domain.where:
+        slack = find_slack(said)
+        if slack is None or slack.strict or not any(find_free(said) <= tied for tied in angles):
+            continue
+        for x in sorted(find_free(said), key=str):
+            slope = slack.value.coeff(x)
+            if slope.is_number and slope != 0:
+                rest = replace(domain, where=tuple(one for one in domain.where if one != said))
+                inside = replace(rest, where=(*rest.where, sp.Gt(slack.value, 0)))
+                return [inside, fix(rest, {x: sp.expand(x - slack.value / slope)})]
     return []
 
 
