@@ -159,7 +159,7 @@ VARIABLES = (
         Variable(symbol, "part of the turn's quaternion", given=value)
         for symbol, value in zip((w, *AXIS), QUATERNION.args, strict=True)
     ),
-    Variable(scale, "2/|quaternion|^2", given=2 / sp.prod(1 + t**2 for t in HALF_TANGENTS)),
+    Variable(scale, "2/|quaternion|^2", given=2 / (w**2 + AXIS.dot(AXIS))),
 )
 NOTATION = replace(
     PRINT.notation,

@@ -220,24 +220,20 @@ def _value_of_displacement(
     t_gamma_angle = angles_2 / 2
     t_gamma_below = _elementary.tangent_below(t_gamma_angle, _exact)
     t_gamma = _elementary.tangent_above(t_gamma_angle, _exact)
-    scale = 2 / (
-        (t_alpha_below * t_alpha_below + t_alpha**2)
-        * (t_beta_below * t_beta_below + t_beta**2)
-        * (t_gamma_below * t_gamma_below + t_gamma**2)
-    )
+    v_x = t_alpha * t_beta_below * t_gamma_below + t_beta * t_gamma * t_alpha_below
+    v_x_squared = v_x**2
     v_y = t_beta * t_alpha_below * t_gamma_below - t_alpha * t_gamma * t_beta_below
     v_y_squared = v_y**2
     v_z = t_gamma * t_alpha_below * t_beta_below + t_alpha * t_beta * t_gamma_below
     v_z_squared = v_z**2
-    C11 = scale * (-v_y_squared - v_z_squared)
-    v_x = t_alpha * t_beta_below * t_gamma_below + t_beta * t_gamma * t_alpha_below
-    v_x_v_y = v_x * v_y
     w = t_alpha_below * t_beta_below * t_gamma_below - t_alpha * t_beta * t_gamma
+    scale = 2 / (v_x_squared + v_y_squared + v_z_squared + w**2)
+    C11 = scale * (-v_y_squared - v_z_squared)
+    v_x_v_y = v_x * v_y
     C12 = scale * (v_x_v_y - v_z * w)
     v_x_v_z = v_x * v_z
     C13 = scale * (v_x_v_z + v_y * w)
     C21 = scale * (v_x_v_y + v_z * w)
-    v_x_squared = v_x**2
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
     C23 = scale * (v_y_v_z - v_x * w)

@@ -75,9 +75,10 @@ DISTANCE, POINT_SIZE, SHIFT_SIZE = sp.symbols("|K-I| |p| |t|", nonnegative=True)
 # (3 * 1 + 2/2) + (2 * 1 + 1/2) + 1/2.
 ROTATION_ULP = 7
 # displacement: v is a sum without cancellation wherever K is near I, so every entry of K - I is
-# accurate relative to the norm, which is twice the sine of half the angle of the turn. Some 40
-# roundings in one direction would make 17 eps; the bound is 3e-15. The bound proved for angles up
-# to a quarter of a turn, and the worst error found there, are in the certificates.
+# accurate relative to the norm, which is twice the sine of half the angle of the turn. Divided by
+# the square of its own length, not by the product of all 1 + t**2, the quaternion may be off by a
+# factor. The bound is 3e-15. The one proved for angles up to a quarter of a turn, and the worst
+# error found there, are in the certificates.
 DISPLACEMENT_ULP = 13.5
 ENTRIES = Scale("the largest size of an entry", sp.Integer(1))
 SIZES = Scale(
