@@ -83,6 +83,9 @@ PROVED = [
     (r"\frac{x-1}{\ln x}<\frac{x+1}2", ("x>0", r"x\ne1")),
     pytest.param(r"\left|\frac{\sin x}x\right|<1", (r"x\ne0",), marks=pytest.mark.slow),
     (r"\frac{\sin x}x\ge1-\frac{x^2}6", (r"x\ne0",)),
+    # By Taylor series, within a power of the distance from zero.
+    (r"|\sin x-x|\le\frac{x^3}5", ("0<x<1",)),
+    (r"|\sin x-x|\le\frac{x^2|x|}5", ("-1<x<1",)),
     (r"\cos(\sin x)>\sin(\cos x)", ()),
     (r"\sin^2x+\cos(\cos x)>\frac12", ()),
     # Of whole numbers.
@@ -173,6 +176,9 @@ NOT_PROVED = [
     (r"\frac{\sin x}x\ge\frac1x", (r"x\ne0",)),
     (r"\frac{x-1}{|x-1|}>0", (r"x\ne1",)),
     (r"\frac{x-1}{|x-1|}<0", (r"x\ne1",)),
+    # An odd power of a negative number; no point that is tried is so near zero.
+    (r"|\sin x-x|\le\frac{x^3}5", ("-10^{-9}<x<1",)),
+    (r"|\cos x-1+\frac{x^2}2|\le\frac{x^3}2", (r"-10^{-12}<x<\frac1{100}",)),
     (r"\cos(\sin x)>\sin(\cos x)+\frac15", ()),
     (r"\cos(\sin x)+\frac x{100}>\sin(\cos x)", ()),
     (r"\lceil x\rceil-\lfloor x\rfloor<1", ()),

@@ -166,8 +166,9 @@ def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
     if len(symbols) != 1:
         return False
     (x,) = symbols
-    bound, power = _read_power(relation.rhs, x)
-    reach = _find_reach(domain.set_of(x))
+    where = domain.set_of(x)
+    bound, power = _read_power(relation.rhs, x, where.inf >= 0)
+    reach = _find_reach(where)
     if not power or reach is None:
         return False
     terms = expand_at_zero(value, x)
@@ -178,12 +179,14 @@ def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
     return bool(balls.to_ball(sp.Rational(total)) + rest <= balls.to_ball(bound))
 
 
-def _read_power(side: sp.Expr, x: sp.Symbol) -> tuple[sp.Rational, int]:
-    """Return b and n of b*|x|**n, with n = 0 for any other side."""
+def _read_power(side: sp.Expr, x: sp.Symbol, is_size: bool) -> tuple[sp.Rational, int]:
+    """Return b and n of b*|x|**n, with n = 0 for any other side. `is_size`: x is its own size."""
     size = sp.Symbol("size", positive=True)
-    bound, rest = side.xreplace({sp.Abs(x): size, x: size}).as_coeff_Mul()
+    sized = side.xreplace({sp.Abs(x): size})
+    is_even = sized.subs(x, -x) == sized
+    bound, rest = sized.subs(x, size).as_coeff_Mul()
     base, power = rest.as_base_exp()
-    is_power = base == size and power.is_Integer and bound.is_Rational
+    is_power = base == size and power.is_Integer and bound.is_Rational and (is_size or is_even)
     return (bound, int(power)) if is_power else (bound, 0)
 
 
