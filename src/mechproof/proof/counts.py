@@ -62,6 +62,17 @@ def find_first(count: sp.Basic, domain: Domain) -> sp.Integer | None:
     return first
 
 
+def untie(count: sp.Symbol, domain: Domain) -> Domain:
+    """Return a domain with all counts from the first one on for all values of the other letters.
+
+    A step from n to n + 1 is taken for the same other letters. Relations that tie these to n may
+    hold for one of the two only.
+    """
+    free = (relation for relation in domain.where if not relation.has(count))
+    said = (*free, sp.Ge(count, find_first(count, domain)))
+    return replace(domain, where=tuple(relation for relation in said if relation != sp.true))
+
+
 def choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> Iterator[Point]:
     """Yield choices of counts that belong to points of the domain, small ones if there are any.
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.proof.counts import find_first, let_run
+from mechproof.proof.counts import find_first, let_run, untie
 from mechproof.proof.endless_sums import settle_endless, settle_series
 from mechproof.proof.fraction_sums import settle_fractions
 from mechproof.proof.growth import find_limit
@@ -42,7 +42,7 @@ def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
     totals = [total for total in slack.value.atoms(sp.Sum, sp.Product) if total.has(n)]
     if not totals or not all(_is_endless(total, n) for total in totals):
         return False
-    if not goes_on(slack.value, n, domain):
+    if not goes_on(slack.value, n, untie(n, domain)):
         return False
     limit = _find_limit(slack.value, totals, n, domain)
     if limit is None or not show(Slack(limit, False), domain):

@@ -22,7 +22,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
-from mechproof.proof.counts import find_first, let_run
+from mechproof.proof.counts import find_first, let_run, untie
 from mechproof.proof.definedness import has_values
 from mechproof.proof.half_angles import is_negative_somewhere
 from mechproof.proof.integrals import put_values
@@ -47,8 +47,10 @@ def decide_by_induction(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
     """Return the rung if left = right is proved by induction over a count, else None."""
     difference = _sum_inside(domain.resolve(left - right), domain)
     for count in sorted(_list_counts(difference), key=str):
-        first = write_out(substitute(difference, {count: sp.S.One}))
-        if _vanishes(first, domain) and _grows(difference, count, domain):
+        if (first := find_first(count, domain)) is None:
+            continue
+        begun = write_out(substitute(difference, {count: first}))
+        if _vanishes(begun, domain) and _grows(difference, count, untie(count, domain)):
             return RUNG
     return None
 
@@ -67,7 +69,8 @@ def decide_by_quotients(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | 
         begun = [substitute(side, {count: first}) for side in sides]
         after = [side.subs(count, count + 1) for side in sides]
         crossed = after[0] * sides[1] - after[1] * sides[0]
-        if all(_vanishes(number, domain) for number in (begun[0] - begun[1], crossed)):
+        part = untie(count, domain)
+        if _vanishes(begun[0] - begun[1], domain) and _vanishes(crossed, part):
             return RUNG
     return None
 
@@ -241,11 +244,11 @@ def _shift_indices(value: sp.Expr, n: sp.Symbol) -> sp.Expr:
 
 
 def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
-    first = find_first(n, domain)
+    first, back = find_first(n, domain), untie(n, domain)
     totals = [total for total in slack.value.atoms(sp.Sum, sp.Product) if total.has(n)]
     if first is None or not all(is_plain(total, n) for total in totals):
         return False
-    steps = list(_list_steps(slack.value, n)) if goes_on(slack.value, n, domain) else []
+    steps = list(_list_steps(slack.value, n)) if goes_on(slack.value, n, back) else []
     for start in range(int(first), int(first) + _MOST_SINGLE):
         beginning = sp.expand(write_out(substitute(slack.value, {n: sp.Integer(start)})))
         if not show(Slack(beginning, slack.strict), domain):

@@ -19,7 +19,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.cases import Prove
 from mechproof.proof.continuity import find_break
 from mechproof.proof.coordinates import parametrise
-from mechproof.proof.counts import find_first
+from mechproof.proof.counts import find_first, untie
 from mechproof.proof.growth import find_limit
 from mechproof.proof.integral_kinds import is_improper
 from mechproof.proof.powers import is_analytic
@@ -27,7 +27,7 @@ from mechproof.proof.signs import is_nonzero
 from mechproof.proof.telescoping import is_nonzero_below, reduce_quotient
 from mechproof.record import NthDerivative
 from mechproof.record.parts import find_parts
-from mechproof.record.relations import KINKED, find_slack
+from mechproof.record.relations import KINKED
 from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 
@@ -114,17 +114,9 @@ def _list_claims(difference: sp.Expr, domain: Domain) -> Sequence[_Claim]:
     if others or len(ends) != 2 or value.has(named) or not is_analytic(scale):
         return []
     inside = integral.args[3 if is_derivative else 0]
-    counts = [n for n in inside.free_symbols if _goes_up(n, domain)]
+    counts = [n for n in inside.free_symbols if find_first(n, domain) is not None]
     free = (n for n in counts if not scale.has(n) and not any(end.has(n) for end in ends))
     return [_Claim(integral, value, n) for n in sorted(free, key=str)]
-
-
-def _goes_up(n: sp.Symbol, domain: Domain) -> bool:
-    """Return whether n has a first value, and conditions at n + 1 imply those at n."""
-    slacks = [find_slack(relation) for relation in domain.where if relation.has(n)]
-    ends = [slack.value for slack in slacks if slack]
-    is_plain = all(end.free_symbols == {n} or sp.diff(end, n).is_nonpositive for end in ends)
-    return find_first(n, domain) is not None and len(ends) == len(slacks) and is_plain
 
 
 def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
@@ -137,7 +129,7 @@ def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
     is_wide = isinstance(within, sp.Interval) and within.measure > 0 and x.is_Symbol
     bound = [relation for relation in domain.where if relation.has(x)]
     is_wide &= all(isinstance(r, sp.Gt | sp.Lt | sp.Ne) and not r.has(n) for r in bound)
-    more = sp.diff(order, n)
+    domain, more = untie(n, domain), sp.diff(order, n)
     if not (is_wide and more.is_Integer and more > 0) or x.is_integer:
         return False
     if inside.has(n):
@@ -151,6 +143,7 @@ def _derives(claim: _Claim, domain: Domain, prove: Prove) -> bool:
 def _goes_on(claim: _Claim, domain: Domain) -> bool:
     """Return whether a claim holds for n + 1 if it does for n."""
     integral, value, n = claim
+    domain = untie(n, domain)
     x, lower, upper = integral.limits[0]
     place, run = parametrise(x, lower, upper)
     inside, term = domain.with_set(x, run.interior), integral.function.subs(x, place)

@@ -17,7 +17,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
-from mechproof.proof.counts import find_first
+from mechproof.proof.counts import find_first, untie
 from mechproof.proof.powers import is_analytic, split_powers
 from mechproof.proof.signs import is_nonzero
 from mechproof.record.substitution import substitute
@@ -101,11 +101,12 @@ def _count_factorials(term: sp.Expr) -> int:
 def _has_value(claim: _Claim, domain: Domain) -> bool:
     """Return whether a claim holds for the first n, and for n + 1 if for n."""
     term, k, lower, n, value = claim
-    first = find_first(n, domain) or 1
+    if (first := find_first(n, domain)) is None:
+        return False
     start = max(first, lower)
     if not all(_holds_at(claim, number, domain) for number in range(int(first), start + 1)):
         return False
-    following = term.subs(n, n + 1)
+    domain, following = untie(n, domain), term.subs(n, n + 1)
     change, growth = (reduce_quotient(x / term) for x in (following, term.subs(k, k + 1)))
     found = change and growth and _solve(change, growth, _find_polynomial(term, k), k)
     if not found:
