@@ -11,6 +11,9 @@ from mechproof.proof.verdict import Verdict
 COUNT = r"n\in\mathbb N"
 FROM_ONE = r"\sum_{k=1}^n|k-x|=|1-x|+\frac{n(n+1)}2-1-(n-1)x"
 TO_HALVES = r"\sum_{k=1}^n\left|k-\frac72\right|=\frac{n(n+1)}2-\frac{7n}2+%d"
+HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
+NO_HOLE = "x^2-0.6x+0.09005"
+EXP = r"\mathrm{e}^{\ln(%s)}=%s"
 # The statement and what it is said under; first a true one, then one that is false somewhere.
 PAIRS = {
     # A step from n to n + 1 must not rest on what ties other letters to n, or n to a part.
@@ -18,6 +21,29 @@ PAIRS = {
     "a letter below n": ((FROM_ONE, (COUNT, "x<1")), (FROM_ONE, (COUNT, "x<n"))),
     "later n": ((TO_HALVES % 9, (COUNT, r"n\ge4")), (TO_HALVES % 5, (COUNT, r"n\ge4"))),
     "n with a gap": ((TO_HALVES % 9, (COUNT, r"n\ge3")), (TO_HALVES % 5, (COUNT, "n(n-4)>-1"))),
+    # Where only one side has a value: on a short interval, at irrational numbers, in a small disc.
+    "a logarithm": ((EXP % (NO_HOLE, NO_HOLE), ()), (EXP % (HOLE, HOLE), ())),
+    "a root squared": (
+        (r"\sqrt{(x-0.37)^2+10^{-9}}^2=(x-0.37)^2+10^{-9}", ()),
+        (r"\sqrt{(x-0.37)^2-10^{-9}}^2=(x-0.37)^2-10^{-9}", ()),
+    ),
+    "a root that is compared": ((rf"\sqrt{{{NO_HOLE}}}\ge0", ()), (rf"\sqrt{{{HOLE}}}\ge0", ())),
+    "single numbers": (
+        (EXP % ("(x^2-2)^2", "(x^2-2)^2"), ("x>2",)),
+        (EXP % ("(x^2-2)^2", "(x^2-2)^2"), ()),
+    ),
+    "two letters": (
+        (r"\sqrt{x^2+y^2-0.6x+0.09}^2=x^2+y^2-0.6x+0.09", ()),
+        (r"\sqrt{x^2+y^2-0.6x+0.08995}^2=x^2+y^2-0.6x+0.08995", ()),
+    ),
+    "three letters": (
+        (r"\sqrt{x^2+y^2-2xy\cos z+0.001}\ge0", ()),
+        (r"\sqrt{x^2+y^2-2xy\cos z-0.001}\ge0", ()),
+    ),
+    "beside an integral": (
+        (r"\int_0^a\sqrt x\,dx=\frac23\sqrt a^3", ()),
+        (rf"\int_0^a\sqrt t\,dt+\sqrt{{{HOLE}}}^2=\frac23\sqrt a^3+{HOLE}", ()),
+    ),
 }
 
 

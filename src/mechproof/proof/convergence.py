@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import reduce
+from itertools import chain
 from typing import Any
 
 import sympy as sp
@@ -22,15 +23,17 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import write_by_sines
-from mechproof.proof.definedness import describe, narrow_to
+from mechproof.proof.count_zeros import list_failing
+from mechproof.proof.definedness import describe, list_unshown, narrow_to
 from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.exact_values import write_value
 from mechproof.proof.growth import find_limit, is_defined_near
 from mechproof.proof.integral_kinds import find_residue, is_improper, is_iterated
 from mechproof.proof.integrals import cut_at_poles, find_ends, list_antiderivatives
 from mechproof.proof.known_integrals import list_needed as list_of_table
-from mechproof.proof.refutation import BALLS, FEW, has_value, points_for
+from mechproof.proof.refutation import BALLS, FEW, points_for
 from mechproof.proof.signs import is_nonzero, is_positive, is_shown
+from mechproof.proof.value_points import complete, has_value
 from mechproof.proof.verdict import Answer, Verdict
 from mechproof.record import RecordError, Slack, list_needs, list_partial
 from mechproof.record.parts import ENDLESS, find_parts, has_parts
@@ -87,7 +90,11 @@ def lack_values_alike(sides: Sequence[sp.Expr], domain: Domain) -> bool:
     """Return whether at each point tried both sides have values or both are shown to have none."""
     if any(has_parts(side, sp.Sum, sp.Product, sp.Limit) for side in sides):
         return False
-    return all(_are_alike(sides, point) for point in points_for((*sides,), domain, FEW))
+    # On the edge of a condition an integral may have its limit as its value.
+    needs = [Slack(need.value, False) for side in sides for need in list_unshown(side, domain)]
+    failing = (complete(sides, at, domain) for at in list_failing(needs, domain))
+    points = chain(points_for((*sides,), domain, FEW), chain.from_iterable(failing))
+    return all(_are_alike(sides, point) for point in points)
 
 
 def _are_alike(sides: Sequence[sp.Expr], point: Point) -> bool:

@@ -8,21 +8,28 @@ are not reported: a quotient is meant where it has values.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache
-from itertools import islice
+from itertools import chain, islice, product
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.arithmetic import balls
+from mechproof.proof.cases import narrow
 from mechproof.proof.counts import has_steps, is_count
-from mechproof.proof.refutation import find_unlike_at, name_point, points_for, put_exactly
+from mechproof.proof.refutation import name_point, points_for, put_exactly
 from mechproof.proof.signs import is_nonzero
-from mechproof.record import Slack, list_divisors
-from mechproof.record.parts import find_free, find_parts
+from mechproof.proof.value_points import IsWanted, are_unlike, find_wanted_at
+from mechproof.record import RecordError, Slack, list_divisors
+from mechproof.record.parts import find_free, find_parts, has_parts
 from mechproof.statement_domains.domain import Domain, Point
 
 # Number of points at which one letter is solved for, the others having their values there.
 _SOLVED = 3
+# On the way down to where a number is least, steps are 2**0 to 2**-15, each taken a few times.
+_MOST_HALVED = 16
+_MOST_REPEATED = 3
 # Work limit: negative integers that are tried as the argument of a factorial.
 _MOST_STEPS = 12
 # Points that are tried; if a divisor is zero at this many, its zeros are more than single points.
@@ -40,7 +47,8 @@ def find_count_without_value(sides: Sequence[sp.Expr], domain: Domain) -> str:
         return ""
     divisors = _list_divisors(sides, domain)
     zeros = (point for divisor in divisors for point in list_zeros(divisor, domain))
-    return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in zeros)), "")
+    unlike = (find_wanted_at(sides, zero, domain, are_unlike) for zero in zeros)
+    return next(filter(None, unlike), "")
 
 
 def describe_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
@@ -74,19 +82,52 @@ def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
     return [number + k for k in range(1, 1 + min(max(steps, default=1), _MOST_STEPS))]
 
 
-def find_edge_without_value(
-    sides: Sequence[sp.Expr], needs: Iterable[Slack], domain: Domain
+def find_failing(
+    sides: Sequence[sp.Expr], needs: Iterable[Slack], domain: Domain, is_wanted: IsWanted
 ) -> str:
-    """Return an interior point on the edge of a condition where only one side has a value.
+    """Return an interior point where a condition fails and the sides have values as wanted.
 
-    Returns "" if none is met: points that are tried elsewhere seldom lie on such an edge.
+    Returns "" if none is met. Points that are tried elsewhere seldom lie on the edge of a
+    condition, or between two such edges that are near each other.
     """
-    needs = tuple(needs)
-    zeros = (
-        zero for need in needs for zero in _list_roots(need.value, domain, find_free(need.value))
-    )
-    inside = (zero for zero in zeros if domain.is_interior(zero) and not _are_met(needs, zero))
-    return next(filter(None, (find_unlike_at(sides, zero, domain) for zero in inside)), "")
+    points = list_failing(tuple(needs), domain)
+    found = (find_wanted_at(sides, at, domain, is_wanted) for at in points)
+    return next(filter(None, found), "")
+
+
+def list_failing(needs: Sequence[Slack], domain: Domain) -> Iterator[Point]:
+    """Yield interior points at which a condition fails, if any are found."""
+    points = chain.from_iterable(_list_tried(need, domain) for need in needs)
+    return (at for at in points if domain.is_interior(at) and not _are_met(needs, at))
+
+
+def _list_tried(need: Slack, domain: Domain) -> Iterator[Point]:
+    """Yield points on the edge of a condition, beyond it, and where its number is least."""
+    yield from _list_roots(need.value, domain, find_free(need.value))
+    fails = sp.Le(need.value, 0) if need.strict else sp.Lt(need.value, 0)
+    part = narrow(domain, fails)
+    if part is None or has_parts(need.value, ExprWithLimits):
+        return
+    with suppress(RecordError):
+        yield from islice(points_for((need.value,), part, _SOLVED), _SOLVED)
+    for start in islice(points_for((need.value,), domain, _SOLVED), _SOLVED):
+        yield _descend(need.value, start, domain)
+
+
+def _descend(number: sp.Expr, start: Point, domain: Domain) -> Point:
+    """Return where a number is least, by steps along single letters, halved where none leads down.
+
+    This is the pattern search of Hooke and Jeeves (1961) without its longer moves.
+    """
+    letters = [s for s in start if isinstance(domain.set_of(s), sp.Interval)]
+    place, least = start, balls.evaluate(number, start)
+    for step in (sp.Rational(1, 2**k) for k in range(_MOST_HALVED)):
+        for letter, way in [*product(letters, (step, -step))] * _MOST_REPEATED:
+            there = {**place, letter: place[letter] + way}
+            if not least < 0 and domain.allows(there):
+                value = balls.evaluate(number, there)
+                place, least = (there, value) if value < least else (place, least)
+    return place
 
 
 def _are_met(needs: Iterable[Slack], point: Point) -> bool:

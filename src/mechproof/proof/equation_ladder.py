@@ -30,7 +30,7 @@ from mechproof.proof.convergence import (
 from mechproof.proof.count_zeros import (
     describe_zero_quotients,
     find_count_without_value,
-    find_edge_without_value,
+    find_failing,
 )
 from mechproof.proof.definedness import (
     list_necessary,
@@ -71,9 +71,10 @@ from mechproof.proof.reasons import (
     join_rungs,
     report_unproved,
 )
-from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare, find_unlike
+from mechproof.proof.refutation import BALLS, EVERY_POINT, are_seen_to_differ, compare
 from mechproof.proof.split_ranges import list_periods
 from mechproof.proof.telescoping import decide_by_telescoping
+from mechproof.proof.value_points import are_unlike, find_unlike
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.wave_sums import FOURIER, decide_by_binomials, decide_by_steps, settle_waves
 from mechproof.proof.witness_text import clip
@@ -316,7 +317,8 @@ def _find_break(
     undefined = undefined or find_count_without_value(sides, domain)
     if undefined or sides[0] == sides[1] or not any(needs) or need_the_same(sides, needs, domain):
         return undefined
-    return find_unlike(sides, domain) or find_edge_without_value(sides, chain(*needs), domain)
+    unlike = find_unlike(sides, domain)
+    return unlike or find_failing(sides, chain(*needs), domain, are_unlike)
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
-from itertools import product
+from itertools import chain, product
 from typing import Any
 
 import sympy as sp
@@ -21,6 +21,7 @@ from mechproof.proof import descents, integrand_signs, newton
 from mechproof.proof.approximations import describe_order
 from mechproof.proof.cases import decide_by_pieces, fix, write_pieces
 from mechproof.proof.convergence import RUNG as DIVERGENCE, find_condition
+from mechproof.proof.count_zeros import find_failing
 from mechproof.proof.definedness import list_unshown, list_unshown_inside, put_in
 from mechproof.proof.descents import holds_by_descent
 from mechproof.proof.equation_ladder import CROSS_EXAMINATION, decide_sides, settle_sides
@@ -38,7 +39,7 @@ from mechproof.proof.reasons import (
     join_answers,
     join_rungs,
 )
-from mechproof.proof.refutation import BALLS, POINTS, find_undefined, find_violation
+from mechproof.proof.refutation import BALLS, POINTS, find_violation
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.single_variable import (
     BISECTION,
@@ -48,6 +49,7 @@ from mechproof.proof.single_variable import (
     holds_on_interval,
 )
 from mechproof.proof.split_ranges import prove_on_parts
+from mechproof.proof.value_points import find_undefined, lacks_any
 from mechproof.proof.verdict import OPEN, Answer, Evidence, Verdict
 from mechproof.proof.witness_text import clip
 from mechproof.record import (
@@ -141,9 +143,13 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if rung := prove_relation(take_values(relation), domain):
         if any(inside):
             return Answer(Verdict.UNDECIDED, rung, describe_inside(inside))
-        needed = describe_needs([list_unshown(side, domain) for side in relation.args])
+        needs = [list_unshown(side, domain) for side in relation.args]
+        needed = describe_needs(needs)
         count = POINTS if needed else CROSS_EXAMINATION
-        if undefined := find_undefined(relation.args, domain, count):
+        undefined = find_undefined(relation.args, domain, count) or find_failing(
+            relation.args, chain(*needs), domain, lacks_any
+        )
+        if undefined:
             reason = f"true wherever it is defined; it is undefined at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"

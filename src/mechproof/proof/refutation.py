@@ -7,7 +7,7 @@ a point at which the balls are disjoint refutes; points at which they meet prove
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -49,7 +49,7 @@ _NEAR = (sp.Rational(1, 10**3), sp.Rational(1, 10**6))
 _LONGEST_RELATION = 120
 # Expressions that are written out for each value of their counts.
 # An index may contain a count: for n = 2 the element with the index n + 1 is the third.
-_COUNTED = (sp.Sum, sp.Product, NthDerivative, sp.Indexed)
+COUNTED = (sp.Sum, sp.Product, NthDerivative, sp.Indexed)
 _STEPS = (sp.floor, sp.ceiling, sp.Mod)
 # Balls wider than this do not show how close two sides are.
 _NARROW = arb(2) ** -32
@@ -130,53 +130,6 @@ def find_violation(relation: sp.Basic, domain: Domain) -> Evidence | None:
     return None
 
 
-def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINTS) -> str:
-    """Return an interior point at which a side has no value, or "" if none is met."""
-    return _find_point(sides, domain, count, lambda have_values: not all(have_values))
-
-
-def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
-    """Return an interior point at which exactly one side has a value, or "" if none is met.
-
-    Few points are tried for integrals, and for sums, which are written out for every number of
-    terms.
-    """
-    is_slow = any(has_parts(side, sp.Sum, sp.Product, sp.Integral) for side in sides)
-    count = FEW if is_slow else POINTS
-    return _find_point(sides, domain, count, lambda have_values: len(set(have_values)) > 1)
-
-
-def find_unlike_at(sides: Sequence[sp.Basic], known: Point, domain: Domain) -> str:
-    """Return a point with known values at which only one side has a value, or "" if none is met."""
-    plain, counts = _list_letters(sides, domain)
-    others = [count for count in counts if count not in known]
-    with suppress(RecordError):
-        for chosen in choose_counts(others, domain, 1):
-            sizes = {**chosen, **known}
-            letters = [*(s for s in plain if s not in known), *_list_elements((*sides,), sizes)]
-            point = domain.points(letters, 1, sizes)[0]
-            if len({has_value(side, point) for side in sides}) > 1:
-                return name_point(point, domain)
-    return ""
-
-
-def _find_point(
-    sides: Sequence[sp.Basic], domain: Domain, count: int, is_wanted: Callable[[list[bool]], bool]
-) -> str:
-    for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
-        have_values = [has_value(side, point) for side in sides]
-        if is_wanted(have_values) and domain.is_interior(point):
-            return name_point(point, domain)
-    return ""
-
-
-def has_value(side: sp.Basic, point: Point) -> bool:
-    """Return whether a side has a value; exact numbers are put in only if plain balls show none."""
-    if not has_parts(side, *_COUNTED) and balls.evaluate(side, point).is_finite():
-        return True
-    return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
-
-
 def points_for(
     expressions: tuple[sp.Basic, ...], domain: Domain, count: int, thorough: bool = False
 ) -> Iterator[Point]:
@@ -185,20 +138,20 @@ def points_for(
     A thorough search tries published sizes and round angles first, then more counts, and special
     points last. Raises `RecordError` if no point of the domain is found.
     """
-    plain, counts = _list_letters(expressions, domain)
+    plain, counts = list_letters(expressions, domain)
     if thorough:
         yield from _published_points(expressions, counts, plain, domain)
     number = _MORE_CHOICES if thorough else _CHOICES
     special: list[Point] = []
     for sizes in choose_counts(counts, domain, number):
-        points = domain.points([*plain, *_list_elements(expressions, sizes)], count, sizes)
+        points = domain.points([*plain, *list_elements(expressions, sizes)], count, sizes)
         yield from points
         if thorough and not special:
             special += domain.special_points(points[0], _list_landmarks(expressions))
     yield from special
 
 
-def _list_letters(
+def list_letters(
     expressions: Sequence[sp.Basic], domain: Domain
 ) -> tuple[list[sp.Basic], list[sp.Basic]]:
     """List the letters that are not families, with those that are counts separately."""
@@ -214,7 +167,7 @@ def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
 
     Return nothing if counts set numbers of terms or elements.
     """
-    if any(has_parts(e, *_COUNTED) for e in expressions):
+    if any(has_parts(e, *COUNTED) for e in expressions):
         return []
     named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
     sizes = [*_NEAR, *(f * c for c in (*sorted(named), *_FAR) for f in (1, 2))]
@@ -241,11 +194,11 @@ def _published_points(
     published: list[Point] = [*map(sizes_of, domain.published), {}]
     for sizes in (*({**usual, **p} for p in published if usual), *published):
         for others in islice(choose_counts([s for s in counts if s not in sizes], domain, 1), 1):
-            elements = _list_elements(expressions, {**others, **sizes})
+            elements = list_elements(expressions, {**others, **sizes})
             yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
 
 
-def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
+def list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
     """List the elements of families that appear once counts have their sizes."""
     families = (e for e in expressions if find_parts(e, sp.Indexed))
     elements = {i for e in families for i in find_parts(put_exactly(e, sizes), sp.Indexed)}
@@ -262,7 +215,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_counts = has_parts(expression, *_COUNTED)
+    has_counts = has_parts(expression, *COUNTED)
     has_steps = has_parts(expression, *_STEPS)
     free = find_free(expression)
     exact = {
