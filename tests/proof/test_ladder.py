@@ -6,6 +6,7 @@ import sympy as sp
 from mechproof.proof import equation_ladder, ladder
 from mechproof.proof.equation_ladder import ContradictionError
 from mechproof.proof.ladder import decide
+from mechproof.proof.limits import FROM_SIDES
 from mechproof.proof.verdict import Verdict
 from mechproof.record import (
     Completion,
@@ -52,6 +53,11 @@ DECISIONS = {
     "distinct": (Distinct(TURN, TURN_BACK), PROVED, "entrywise, separating balls"),
     "not distinct": (Distinct((x + 1) ** 2, x**2 + 2 * x + 1), REFUTED, "rational field"),
     "distinct not shown": (Distinct(sp.erf(x) + sp.erfc(x), sp.S.One), UNDECIDED, "enclosure"),
+    "distinct from no limit": (
+        Distinct(sp.Limit(sp.Abs(x) / x, x, 0, "+-"), sp.Integer(2)),
+        UNDECIDED,
+        FROM_SIDES,
+    ),
     "exact numbers": (Holds(NUMBERS), REFUTED, "evaluation"),
     "exact numbers, other way": (Holds(NUMBERS.reversedsign), REFUTED, "evaluation"),
     "exact numbers, negated": (Holds(NUMBERS.negated), PROVED, "evaluation"),

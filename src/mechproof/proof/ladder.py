@@ -31,6 +31,7 @@ from mechproof.proof.induction import OF_INEQUALITIES, holds_by_steps
 from mechproof.proof.inequalities import show_sign
 from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, put_values
 from mechproof.proof.integrand_signs import holds_by_integrand
+from mechproof.proof.limits import FROM_SIDES
 from mechproof.proof.reasons import (
     count_parts,
     describe_inside,
@@ -110,7 +111,7 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
     equal = decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
-    if verdict is Verdict.PROVED and equal.rung.endswith(DIVERGENCE):
+    if verdict is Verdict.PROVED and equal.rung.endswith((DIVERGENCE, FROM_SIDES)):
         # A side without a value is no number, so the sides are not shown to be different numbers.
         return replace(equal, verdict=Verdict.UNDECIDED)
     told = "the two do not differ: " if verdict is Verdict.REFUTED else ""
