@@ -8,6 +8,7 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality, sum_distinct
 from mechproof.statement_domains.domain import Domain
+from mechproof.statement_domains.preparation import prepare
 
 n, m = sp.symbols("n m", integer=True, positive=True)
 i, j, k = sp.symbols("i j k", integer=True, positive=True)
@@ -101,3 +102,11 @@ def test_a_wrong_neighbour_is_not_proved(name):
 def test_a_sum_without_a_canonical_form_is_refused(node):
     with pytest.raises(NotImplementedError):
         canonicalise(node, Domain({}, (), {}))
+
+
+def test_a_sum_that_ends_before_it_begins_has_no_value():
+    empty, reversed_one = sp.Sum(i, (i, 3, 2)), sp.Sum(i, (i, 3, 1))
+    assert prepare(empty) == 0
+    assert prepare(reversed_one) == reversed_one
+    assert decide(Equality(empty, sp.Integer(0)), COUNTS).verdict is Verdict.PROVED
+    assert decide(Equality(scale + reversed_one, scale - 2), COUNTS).verdict is Verdict.UNDECIDED

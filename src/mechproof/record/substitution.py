@@ -88,12 +88,15 @@ STEPS: Mapping[type[sp.Basic], Callable[..., sp.Expr]] = MappingProxyType(
 def write_sums_out(
     expression: sp.Basic, is_meant: Callable[[sp.Sum], bool] = lambda total: True
 ) -> sp.Basic:
-    """Write out the sums with numeric limits and few terms, as far as `is_meant` accepts them."""
+    """Write out the sums with numeric limits and few terms, as far as `is_meant` accepts them.
+
+    A sum that ends before it begins has no value: SymPy would take terms away.
+    """
 
     def is_short(node: sp.Basic) -> bool:
         if not isinstance(node, sp.Sum) or not is_meant(node):
             return False
         counts = [high - low + 1 for _, low, high in node.limits]
-        return all(count.is_Integer and count <= MOST_TERMS for count in counts)
+        return all(count.is_Integer and 0 <= count <= MOST_TERMS for count in counts)
 
     return expression.replace(is_short, lambda total: total.doit())
