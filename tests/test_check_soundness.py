@@ -40,6 +40,7 @@ PAIRS = {
         (r"\sqrt{x^2+y^2-2xy\cos z+0.001}\ge0", ()),
         (r"\sqrt{x^2+y^2-2xy\cos z-0.001}\ge0", ()),
     ),
+    "the end of a range": ((EXP % ("x", "x"), ("x>0",)), (EXP % ("x", "x"), (r"x\ge0",))),
     "beside an integral": (
         (r"\int_0^a\sqrt x\,dx=\frac23\sqrt a^3", ()),
         (rf"\int_0^a\sqrt t\,dt+\sqrt{{{HOLE}}}^2=\frac23\sqrt a^3+{HOLE}", ()),

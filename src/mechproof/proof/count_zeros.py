@@ -27,9 +27,8 @@ from mechproof.statement_domains.domain import Domain, Point
 
 # Number of points at which one letter is solved for, the others having their values there.
 _SOLVED = 3
-# On the way down to where a number is least, steps are 2**0 to 2**-15, each taken a few times.
-_MOST_HALVED = 16
-_MOST_REPEATED = 3
+# On the way to where a number is least, steps are 1 to 2**-15, each taken three times.
+_MOST_TURNS = 48
 # Work limit: negative integers that are tried as the argument of a factorial.
 _MOST_STEPS = 12
 # Points that are tried; if a divisor is zero at this many, its zeros are more than single points.
@@ -85,48 +84,53 @@ def list_ends(factorial: sp.Expr) -> list[sp.Expr]:
 def find_failing(
     sides: Sequence[sp.Expr], needs: Iterable[Slack], domain: Domain, is_wanted: IsWanted
 ) -> str:
-    """Return an interior point where a condition fails and the sides have values as wanted.
+    """Return a point where a condition fails and the sides have values as wanted.
 
     Returns "" if none is met. Points that are tried elsewhere seldom lie on the edge of a
     condition, or between two such edges that are near each other.
     """
-    points = list_failing(tuple(needs), domain)
+    points = list_failing([*needs], domain)
     found = (find_wanted_at(sides, at, domain, is_wanted) for at in points)
     return next(filter(None, found), "")
 
 
 def list_failing(needs: Sequence[Slack], domain: Domain) -> Iterator[Point]:
-    """Yield interior points at which a condition fails, if any are found."""
-    points = chain.from_iterable(_list_tried(need, domain) for need in needs)
-    return (at for at in points if domain.is_interior(at) and not _are_met(needs, at))
+    """Yield points at which a condition fails, if any are found, ends of ranges included."""
+    points = chain.from_iterable(_list_tried(need, domain) for need in dict.fromkeys(needs))
+    return (at for at in points if not _are_met(needs, at))
 
 
-def _list_tried(need: Slack, domain: Domain) -> Iterator[Point]:
-    """Yield points on the edge of a condition, beyond it, and where its number is least."""
-    yield from _list_roots(need.value, domain, find_free(need.value))
+# Many rows of a paper have values under the same conditions.
+@lru_cache(maxsize=64)
+def _list_tried(need: Slack, domain: Domain) -> list[Point]:
+    """List points on the edge of a condition, beyond it, and where its number is least."""
+    points = [*_list_roots(need.value, domain, find_free(need.value))]
     fails = sp.Le(need.value, 0) if need.strict else sp.Lt(need.value, 0)
     part = narrow(domain, fails)
     if part is None or has_parts(need.value, ExprWithLimits):
-        return
-    with suppress(RecordError):
-        yield from islice(points_for((need.value,), part, _SOLVED), _SOLVED)
-    for start in islice(points_for((need.value,), domain, _SOLVED), _SOLVED):
-        yield _descend(need.value, start, domain)
+        return points
+    # A relation that is solved for a letter narrows its set; for others the search takes long.
+    if part.where == domain.where:
+        with suppress(RecordError):
+            points += islice(points_for((need.value,), part, _SOLVED), _SOLVED)
+    starts = islice(points_for((need.value,), domain, _SOLVED), _SOLVED)
+    return [*points, *(_descend(need.value, start, domain) for start in starts)]
 
 
 def _descend(number: sp.Expr, start: Point, domain: Domain) -> Point:
-    """Return where a number is least, by steps along single letters, halved where none leads down.
+    """Return where a number is negative or least, by ever shorter steps along single letters.
 
     This is the pattern search of Hooke and Jeeves (1961) without its longer moves.
     """
     letters = [s for s in start if isinstance(domain.set_of(s), sp.Interval)]
     place, least = start, balls.evaluate(number, start)
-    for step in (sp.Rational(1, 2**k) for k in range(_MOST_HALVED)):
-        for letter, way in [*product(letters, (step, -step))] * _MOST_REPEATED:
+    for turn in range(_MOST_TURNS):
+        step = sp.Rational(1, 2 ** (turn // 3))
+        for letter, way in product(letters, (step, -step)):
             there = {**place, letter: place[letter] + way}
-            if not least < 0 and domain.allows(there):
-                value = balls.evaluate(number, there)
-                place, least = (there, value) if value < least else (place, least)
+            value = balls.evaluate(number, there)
+            if not least < 0 and value < least and domain.allows(there):
+                place, least = there, value
     return place
 
 
