@@ -11,8 +11,9 @@ from mechproof.proof.verdict import Verdict
 COUNT = r"n\in\mathbb N"
 FROM_ONE = r"\sum_{k=1}^n|k-x|=|1-x|+\frac{n(n+1)}2-1-(n-1)x"
 TO_HALVES = r"\sum_{k=1}^n\left|k-\frac72\right|=\frac{n(n+1)}2-\frac{7n}2+%d"
-HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
+POLES = r"\sum_{k=1}^n\left(\frac1{k%+d}-\frac1{k%+d}\right)=\frac1{%d}-\frac1{n%+d}"
 NO_HOLE = "x^2-0.6x+0.09005"
+HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
 EXP = r"\mathrm{e}^{\ln(%s)}=%s"
 # The statement and what it is said under; first a true one, then one that is false somewhere.
 PAIRS = {
@@ -41,6 +42,10 @@ PAIRS = {
         (r"\sqrt{x^2+y^2-2xy\cos z-0.001}\ge0", ()),
     ),
     "the end of a range": ((EXP % ("x", "x"), ("x>0",)), (EXP % ("x", "x"), (r"x\ge0",))),
+    "poles among the terms": (
+        (POLES % (500, 501, 501, 501), (COUNT,)),
+        (POLES % (-500, -499, -499, -499), (COUNT,)),
+    ),
     "beside an integral": (
         (r"\int_0^a\sqrt x\,dx=\frac23\sqrt a^3", ()),
         (rf"\int_0^a\sqrt t\,dt+\sqrt{{{HOLE}}}^2=\frac23\sqrt a^3+{HOLE}", ()),

@@ -23,6 +23,7 @@ from mechproof.record import (
     list_needs,
     list_partial,
 )
+from mechproof.record.parts import find_bound
 from mechproof.statement_domains.domain import Domain
 
 
@@ -49,9 +50,24 @@ def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator
     for node in list_partial(expression):
         if isinstance(node, ExprWithLimits) and all(len(run) == 3 for run in node.limits):
             counted = node if isinstance(node, sp.Integral) else _count(node)
-            yield from _list_inside(counted.function, (*counted.limits, *limits))
+            inner = (*counted.limits, *limits)
+            yield from _list_inside(counted.function, inner)
+            yield from (InnerNeed(need, inner) for need in _list_poles(counted))
         elif limits:
             yield from (InnerNeed(need, limits) for need in list_needs(node))
+
+
+def _list_poles(node: ExprWithLimits) -> Iterator[Slack]:
+    """Yield what must be positive for polynomials of whole numbers to divide a sum's terms.
+
+    Zeros of divisors in other letters lie at isolated points.
+    """
+    own, inner = {index for index, *_ in node.limits}, find_bound(node.function)
+    for divisor in list_divisors(node.function):
+        letters = divisor.free_symbols
+        is_whole = all(letter.is_integer for letter in letters) and divisor.is_polynomial(*letters)
+        if is_whole and letters & own and not letters & inner:
+            yield Slack(divisor**2, True)
 
 
 def _count(node: ExprWithLimits) -> ExprWithLimits:
@@ -67,6 +83,8 @@ def _count(node: ExprWithLimits) -> ExprWithLimits:
 def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
     """Return whether a condition holds wherever the variables run, also between whole numbers."""
     number, strict = one.need
+    if _has_no_root(*one):
+        return True
     for variable, *ends in one.limits:
         low, high = ends[::-1] if (ends[0] > ends[1]) == sp.true else ends
         run = sp.Dummy(variable.name, real=True)
@@ -77,6 +95,17 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
             place, inside = low, sp.S.Reals
         number, domain = number.subs(variable, place), domain.with_set(run, inside)
     return _is_shown(Slack(number, strict), domain)
+
+
+def _has_no_root(need: Slack, limits: Sequence[sp.Tuple]) -> bool:
+    """Return whether a square of a polynomial in an index is zero for no number that it takes."""
+    base, power = need.value.as_base_exp()
+    for index, low, high in limits:
+        if power == 2 and index.is_integer and base.free_symbols == {index}:
+            polynomial = base.as_poly(index)
+            roots = [r for r in polynomial.ground_roots() if r.is_integer] if polynomial else [low]
+            return all((root < low) == sp.true or (root > high) == sp.true for root in roots)
+    return False
 
 
 def put_in(side: Any, domain: Domain) -> Any:
