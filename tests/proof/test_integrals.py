@@ -9,6 +9,7 @@ from mechproof.proof import integrals
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
+from mechproof.record.substitution import put_values
 from mechproof.statement_domains.domain import Domain
 
 x, y, z, e = sp.symbols("x y z e", real=True)
@@ -187,7 +188,7 @@ def test_what_is_no_continuous_antiderivative_is_no_proof(
     ids=["a line of poles", "a pole of all", "an inner one has no value at one place"],
 )
 def test_an_iterated_integral_across_a_pole_has_no_value(value: sp.Integral) -> None:
-    assert integrals.settle_improper(value, DOMAIN) == value
+    assert put_values(value, DOMAIN, (sp.Integral,), integrals.find_improper) == value
 
 
 def test_what_is_bound_elsewhere_is_not_looked_at() -> None:
@@ -196,7 +197,7 @@ def test_what_is_bound_elsewhere_is_not_looked_at() -> None:
     inner = sp.Integral(1 / (2 - e), (e, 0, x))
     for value in (own, sp.Integral(inner, (x, 0, 5)), sp.Sum(inner, (x, 1, 5))):
         assert integrals.decide_by_antiderivative(value, sp.S.One, DOMAIN, prove) is None
-        assert integrals.settle_improper(value, DOMAIN) == value
+        assert put_values(value, DOMAIN, (sp.Integral,), integrals.find_improper) == value
 
 
 @pytest.mark.parametrize(

@@ -12,14 +12,15 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.proof.counts import find_first, let_run, untie
-from mechproof.proof.endless_sums import settle_endless, settle_series
-from mechproof.proof.fraction_sums import settle_fractions
+from mechproof.proof.endless_sums import SUMS, find_endless, find_series
+from mechproof.proof.fraction_sums import find_fractions
 from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import follow, goes_on, is_plain, name_factorials
 from mechproof.proof.sign_forms import drop_signed_factors
 from mechproof.proof.signs import is_positive
 from mechproof.record import Slack
 from mechproof.record.parts import has_parts
+from mechproof.record.substitution import put_values
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "descent to a limit"
@@ -76,8 +77,8 @@ def _find_limit(
     for total, slope in slopes.items():
         k, lower, _ = total.limits[0]
         endless = total.func(total.function, (k, lower, sp.oo))
-        for settle in (settle_endless, settle_series, settle_fractions):
-            endless = settle(endless, domain)
+        for find in (find_endless, find_series, find_fractions):
+            endless = put_values(endless, domain, SUMS, find)
         if endless.has(sp.Sum, sp.Product) or endless.is_infinite:
             return None
         limit += slope * endless

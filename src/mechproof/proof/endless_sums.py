@@ -12,10 +12,8 @@ SymPy simplifies that quotient; it has to be that of a series of the table (Abra
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
-from typing import Any
 
 import sympy as sp
 from sympy.concrete.gosper import gosper_sum
@@ -26,30 +24,14 @@ from mechproof.proof.growth import find_limit
 from mechproof.proof.induction import decide_by_induction, sum_up
 from mechproof.proof.signs import find_sign, is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import is_nonzero_below
-from mechproof.record.parts import find_bound, find_parts
-from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 
 PARTIAL_SUMS = "limit of partial sums"
+SUMS = (sp.Sum, sp.Product)
 # Work limit: operations of a term that is tried.
 _LARGEST = 40
 _N = sp.Dummy("n", integer=True, positive=True)
 _ABOVE = sp.Dummy("above", integer=True, nonnegative=True)
-
-
-def settle_endless(expression: Any, domain: Domain) -> Any:
-    """Replace infinite sums by their values, as far as these are shown."""
-    return put_values(expression, partial(_find_value, domain))
-
-
-def put_values(expression: Any, find: Callable[[sp.Sum], sp.Expr | None]) -> Any:
-    """Replace sums and products whose letters are bound nowhere else by their values, if found.
-
-    Infinity replaces only a sum that stands alone.
-    """
-    bound = set(find_bound(expression))
-    sums = (s for s in find_parts(expression, sp.Sum, sp.Product) if not s.free_symbols & bound)
-    return put_found(expression, {node: find(node) for node in sorted(sums, key=str)})
 
 
 def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:
@@ -60,7 +42,8 @@ def read_endless(total: sp.Sum) -> tuple[sp.Expr, sp.Symbol, sp.Integer] | None:
     return (term, k, first) if is_read else None
 
 
-def _find_value(domain: Domain, total: sp.Sum) -> sp.Expr | None:
+def find_endless(total: sp.Sum | sp.Product, domain: Domain) -> sp.Expr | None:
+    """Return the value of an infinite sum as the limit of partial sums, or None."""
     if (read := read_endless(total)) is None:
         return None
     term, k, first = read
@@ -197,12 +180,8 @@ _BETA = tuple(
 SERIES = (*_ELEMENTARY, *_ZETA, *_BETA)
 
 
-def settle_series(expression: Any, domain: Domain) -> Any:
-    """Replace infinite sums by the values of known series."""
-    return put_values(expression, partial(_find_known, domain))
-
-
-def _find_known(domain: Domain, total: sp.Sum) -> sp.Expr | None:
+def find_series(total: sp.Sum | sp.Product, domain: Domain) -> sp.Expr | None:
+    """Return the value of an infinite sum that is a known series, or None."""
     if isinstance(total, sp.Product) or (read := read_endless(total)) is None:
         return None
     term, k, first = read

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from itertools import chain, product
@@ -44,22 +44,23 @@ from mechproof.proof.definedness import (
 from mechproof.proof.endless_sums import (
     KNOWN_SERIES,
     PARTIAL_SUMS,
-    settle_endless,
-    settle_series,
+    SUMS,
+    find_endless,
+    find_series,
 )
 from mechproof.proof.exact_values import decide_by_separation, decide_endless
 from mechproof.proof.floors import decide_by_floors
-from mechproof.proof.fraction_sums import RUNG as PARTIAL_FRACTIONS, settle_fractions
+from mechproof.proof.fraction_sums import RUNG as PARTIAL_FRACTIONS, find_fractions
 from mechproof.proof.induction import decide_by_induction, decide_by_quotients
 from mechproof.proof.integral_recurrences import decide_by_parts, settle_by_parts
 from mechproof.proof.integrals import (
     RUNG as ANTIDERIVATIVE,
     decide_by_antiderivative,
     find_counterexample,
-    settle_improper,
+    find_improper,
 )
 from mechproof.proof.inverses import ROOT, decide_by_argument, decide_by_inverse
-from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, settle_known_integrals
+from mechproof.proof.known_integrals import RUNG as KNOWN_INTEGRAL, find_known
 from mechproof.proof.limits import FROM_SIDES, describe_jump, describe_missing_limit, settle_limits
 from mechproof.proof.powers import decide_by_logarithms, split_powers, take_signs, write_roots
 from mechproof.proof.reasons import (
@@ -76,11 +77,11 @@ from mechproof.proof.split_ranges import list_periods
 from mechproof.proof.telescoping import decide_by_telescoping
 from mechproof.proof.value_points import are_unlike, find_unlike
 from mechproof.proof.verdict import Answer, Evidence, Verdict
-from mechproof.proof.wave_sums import FOURIER, decide_by_binomials, decide_by_steps, settle_waves
+from mechproof.proof.wave_sums import FOURIER, decide_by_binomials, decide_by_steps, find_waves
 from mechproof.proof.witness_text import clip
 from mechproof.record import DerivativeWhere, Slack
 from mechproof.record.parts import ENDLESS, find_parts, has_parts
-from mechproof.record.substitution import write_steps
+from mechproof.record.substitution import put_values, write_steps
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare, take_values
 
@@ -163,13 +164,14 @@ def _prove_by_cases(sides: Sequence[sp.Expr], domain: Domain) -> str | None:
 
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
-_SETTLED = {
-    KNOWN_INTEGRAL: settle_known_integrals,
-    ANTIDERIVATIVE: settle_improper,
-    PARTIAL_SUMS: settle_endless,
-    KNOWN_SERIES: settle_series,
-    FOURIER: settle_waves,
-    PARTIAL_FRACTIONS: settle_fractions,
+# Rungs that give values to parts of some kinds.
+_SETTLED: Mapping[str, tuple[tuple[type, ...], Callable[..., sp.Expr | None]]] = {
+    KNOWN_INTEGRAL: ((sp.Integral,), find_known),
+    ANTIDERIVATIVE: ((sp.Integral,), find_improper),
+    PARTIAL_SUMS: (SUMS, find_endless),
+    KNOWN_SERIES: (SUMS, find_series),
+    FOURIER: (SUMS, find_waves),
+    PARTIAL_FRACTIONS: (SUMS, find_fractions),
 }
 
 
@@ -182,8 +184,8 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
     if has_any_functions(printed, rebuilt):
         return decide_any(printed, rebuilt, domain, decide_sides)
     sides = [settle_limits(put_in(side, domain), domain) for side in (printed, rebuilt)]
-    for rung, settle in _SETTLED.items():
-        printed, rebuilt = (settle(side, domain) for side in sides)
+    for rung, (kinds, find) in _SETTLED.items():
+        printed, rebuilt = (put_values(side, domain, kinds, find) for side in sides)
         if [printed, rebuilt] != sides:
             answer = decide_sides(printed, rebuilt, domain)
             return replace(answer, rung=f"{rung}, {answer.rung}")
@@ -211,8 +213,8 @@ def decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer
 def settle_sides(sides: Sequence[sp.Expr], domain: Domain) -> tuple[tuple[sp.Expr, ...], list[str]]:
     """Replace integrals and infinite sums by their values; also name the rungs that found these."""
     rungs: list[str] = []
-    for rung, settle in _SETTLED.items():
-        settled = tuple(settle(side, domain) for side in sides)
+    for rung, (kinds, find) in _SETTLED.items():
+        settled = tuple(put_values(side, domain, kinds, find) for side in sides)
         if settled != (*sides,):
             sides, rungs = settled, [*rungs, rung]
     return (*sides,), rungs

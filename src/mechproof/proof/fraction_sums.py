@@ -15,11 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import sympy as sp
 
-from mechproof.proof.endless_sums import put_values
 from mechproof.proof.signs import find_sign, is_nonnegative, is_nonzero, is_positive
 from mechproof.statement_domains.domain import Domain
 
@@ -51,12 +50,8 @@ class _Term(NamedTuple):
     p: sp.Expr
 
 
-def settle_fractions(expression: Any, domain: Domain) -> Any:
-    """Replace infinite sums and products of fractions by their values where these are proved."""
-    return put_values(expression, partial(_find_value, domain))
-
-
-def _find_value(domain: Domain, total: sp.Sum | sp.Product) -> sp.Expr | None:
+def find_fractions(total: sp.Sum | sp.Product, domain: Domain) -> sp.Expr | None:
+    """Return the value of an infinite sum or product of fractions, or None."""
     (k, first, last), *others = total.limits
     if others or last != sp.oo or total.function.count_ops() > _LARGEST:
         return None

@@ -25,7 +25,7 @@ from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.counts import find_first, let_run, untie
 from mechproof.proof.definedness import has_values
 from mechproof.proof.half_angles import is_negative_somewhere
-from mechproof.proof.integrals import put_values
+from mechproof.proof.integrals import find_value
 from mechproof.proof.inverses import decide_by_inverse
 from mechproof.proof.powers import decide_by_logarithms, is_analytic, split_powers
 from mechproof.proof.sign_forms import drop_signed_factors
@@ -33,7 +33,7 @@ from mechproof.proof.signs import is_nonnegative, is_nonzero, is_positive
 from mechproof.proof.telescoping import reduce_quotient
 from mechproof.record import Slack
 from mechproof.record.parts import has_parts
-from mechproof.record.substitution import substitute
+from mechproof.record.substitution import put_values, substitute
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import prepare
 
@@ -205,7 +205,7 @@ def _go_on(total: ExprWithLimits, count: sp.Symbol, value: sp.Symbol) -> sp.Expr
 
 
 def _vanishes(value: sp.Expr, domain: Domain) -> bool:
-    value = split_powers(prepare(put_values(value, domain)))
+    value = split_powers(prepare(put_values(value, domain, (sp.Integral,), find_value)))
     rungs = (decide_equal, decide_by_logarithms, decide_by_inverse)
     return any(rung(value, sp.S.Zero, domain) for rung in rungs)
 

@@ -42,7 +42,7 @@ from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe
 from mechproof.record import Slack
 from mechproof.record.parts import find_bound, find_parts
-from mechproof.record.substitution import put_found, substitute
+from mechproof.record.substitution import substitute
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "antiderivative"
@@ -101,23 +101,11 @@ def find_counterexample(
     return None
 
 
-def settle_improper(expression: Any, domain: Domain) -> Any:
-    """Replace integrals that balls do not enclose by their values, as far as these are shown."""
-
-    def is_met(node: sp.Integral) -> bool:
-        is_plain = not (is_improper(node) or is_iterated(node))
-        by_pieces = has_pieces(node.function, node.variables[0])
-        return not is_plain or by_pieces or may_reach_zero(node, domain)
-
-    return put_values(expression, domain, is_met)
-
-
-def put_values(
-    expression: Any, domain: Domain, is_met: Callable[[sp.Integral], bool] = lambda node: True
-) -> Any:
-    """Replace integrals by their values as far as shown; infinite ones only if they stand alone."""
-    met = filter(is_met, list_free(expression))
-    return put_found(expression, {node: _find_value(node, domain) for node in met})
+def find_improper(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value of an integral that balls do not enclose, as far as it is shown."""
+    is_met = is_improper(integral) or is_iterated(integral)
+    is_met = is_met or has_pieces(integral.function, integral.variables[0])
+    return find_value(integral, domain) if is_met or may_reach_zero(integral, domain) else None
 
 
 def list_free(*sides: Any) -> list[sp.Integral]:
@@ -128,11 +116,12 @@ def list_free(*sides: Any) -> list[sp.Integral]:
 
 
 def _find_finite(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
-    value = _find_value(integral, domain)
+    value = find_value(integral, domain)
     return None if value is None or value.is_infinite else value
 
 
-def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+def find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value of an integral, also an infinite one, as far as it is shown."""
     integrand, *inner, (variable, *limits) = integral.args
     if len(limits) != 2 or integrand.count_ops() > _LARGEST or integrand.has(sp.Sum):
         return None
@@ -140,21 +129,21 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     if lower == upper:
         return None
     if (lower > upper) == sp.true:
-        turned = _find_value(sp.Integral(integrand, *inner, (variable, upper, lower)), domain)
+        turned = find_value(sp.Integral(integrand, *inner, (variable, upper, lower)), domain)
         return None if turned is None else -turned
     if is_iterated(integral):
         return _find_iterated(integral, domain)
     if lower == -upper and _is_odd(integrand, variable, upper, domain):
         return sp.S.Zero
     if (unwound := unwind(integral)) != integral:
-        return _find_value(unwound, domain)
+        return find_value(unwound, domain)
     written = write_roots(integrand, {variable}, domain)
     if has_pieces(written, variable):
         found = _find_by_pieces(sp.Integral(written, *integral.limits), domain)
         if found is not None or written == integrand:
             return found
     elif written != integrand:
-        return _find_value(sp.Integral(written, *integral.limits), domain)
+        return find_value(sp.Integral(written, *integral.limits), domain)
     pieces = cut_at_poles(integral)
     if any(changes_sign_at_pole(integral, piece.limits[0][2], domain) for piece in pieces[:-1]):
         return None
@@ -240,7 +229,7 @@ def _find_iterated(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     if not values or None in values.values():
         return None
     limits = (variable, run.start, run.end)
-    return _find_value(sp.Integral(integrand.xreplace(values), limits), domain)
+    return find_value(sp.Integral(integrand.xreplace(values), limits), domain)
 
 
 def _jumps(integral: sp.Integral, domain: Domain) -> bool:

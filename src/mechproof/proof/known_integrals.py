@@ -8,16 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.integral_kinds import unwind
-from mechproof.proof.integrals import list_free
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.record import Slack
-from mechproof.record.substitution import put_found
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "known integral"
@@ -154,12 +151,6 @@ KNOWN = (
 )
 
 
-def settle_known_integrals(expression: Any, domain: Domain) -> Any:
-    """Replace known integrals by their values."""
-    found = {node: _find_value(node, domain) for node in list_free(expression)}
-    return put_found(expression, found)
-
-
 def list_needed(node: sp.Basic) -> Iterator[Slack]:
     """Yield the conditions of the first row that an integral matches."""
     if not isinstance(node, sp.Integral) or (read := _read(node)) is None:
@@ -186,7 +177,8 @@ def _read(integral: sp.Integral) -> tuple[sp.Expr, sp.Expr, list[sp.Expr]] | Non
     return factor, integrand, limits
 
 
-def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+def find_known(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
+    """Return the value of an integral of the table, or None for others."""
     if (read := _read(integral)) is None:
         return None
     factor, integrand, limits = read
@@ -195,12 +187,12 @@ def _find_value(integral: sp.Integral, domain: Domain) -> sp.Expr | None:
     scale, argument = inner.as_independent(X, as_Add=False)
     if scale not in (0, 1) and length.is_finite and is_positive(scale, domain):
         # ln(2*sin x) is ln 2 and ln(sin x).
-        found = _find_value(sp.Integral(sp.log(argument), (X, *limits)), domain)
+        found = find_known(sp.Integral(sp.log(argument), (X, *limits)), domain)
         return None if found is None else factor * (length * sp.log(scale) + found)
     values = (_find_by(row, integrand, domain) for row in _list_rows(integrand, limits))
     value = next((value for value in values if value is not None), None)
     if value is None and length.is_finite and (turned := unwind(integral)) != integral:
-        return _find_value(turned, domain)
+        return find_known(turned, domain)
     if value is None and all(limit.is_finite for limit in limits) and length.free_symbols:
         value = _find_between_letters(integrand, limits, domain)
     return None if value is None else factor * value
@@ -224,7 +216,7 @@ def _find_between_letters(
     inside = Domain(within, (), {})
     if not rest.free_symbols <= {X} or decide_equal(moved, powers, inside) is None:
         return None
-    value = _find_value(sp.Integral(rest, (X, 0, 1)), domain)
+    value = find_known(sp.Integral(rest, (X, 0, 1)), domain)
     return None if value is None else (gap * factor * value).xreplace({gap: upper - lower})
 
 

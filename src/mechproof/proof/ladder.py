@@ -29,7 +29,7 @@ from mechproof.proof.exact_values import decide_exact, decide_number, resolve_si
 from mechproof.proof.floors import leave_fractions
 from mechproof.proof.induction import OF_INEQUALITIES, holds_by_steps
 from mechproof.proof.inequalities import show_sign
-from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, put_values
+from mechproof.proof.integrals import RUNG as ANTIDERIVATIVE, find_value
 from mechproof.proof.integrand_signs import holds_by_integrand
 from mechproof.proof.limits import FROM_SIDES
 from mechproof.proof.reasons import (
@@ -71,7 +71,7 @@ from mechproof.record import (
 from mechproof.record.estimates import without_estimates
 from mechproof.record.parts import find_free, has_parts
 from mechproof.record.relations import find_slack
-from mechproof.record.substitution import write_steps
+from mechproof.record.substitution import put_values, write_steps
 from mechproof.statement_domains.domain import Domain
 from mechproof.statement_domains.preparation import take_values
 
@@ -155,7 +155,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
             return Answer(Verdict.UNDECIDED, rung, reason)
         where = f"where {needed}" if needed else "wherever it is defined"
         return Answer(Verdict.PROVED, rung, f"true {where}")
-    settled = [put_values(side, domain) for side in relation.args]
+    settled = [put_values(side, domain, (sp.Integral,), find_value) for side in relation.args]
     if settled != [*relation.args]:
         answer = _decide_relation(Holds(relation.func(*settled, evaluate=False)), domain)
         return replace(answer, rung=f"{ANTIDERIVATIVE}, {answer.rung}")

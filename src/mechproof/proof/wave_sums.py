@@ -16,8 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -26,7 +25,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import write_out
 from mechproof.proof.cases import Prove, Sides, put_in
 from mechproof.proof.definedness import has_values
-from mechproof.proof.endless_sums import put_values, read_endless
+from mechproof.proof.endless_sums import read_endless
 from mechproof.proof.signs import is_nonnegative, is_positive
 from mechproof.statement_domains.domain import Domain
 
@@ -214,12 +213,8 @@ POWERS: Mapping[_Wave, sp.Expr] = {
 }
 
 
-def settle_waves(expression: Any, domain: Domain) -> Any:
-    """Replace infinite sums by the values of known Fourier series."""
-    return put_values(expression, partial(_find_endless, domain))
-
-
-def _find_endless(domain: Domain, total: sp.Sum) -> sp.Expr | None:
+def find_waves(total: sp.Sum | sp.Product, domain: Domain) -> sp.Expr | None:
+    """Return the value of an infinite sum that is a known Fourier series, or None."""
     if isinstance(total, sp.Product) or (read := read_endless(total)) is None:
         return None
     term, k, first = read
@@ -227,7 +222,7 @@ def _find_endless(domain: Domain, total: sp.Sum) -> sp.Expr | None:
     if not has_values(term, domain.with_set(_J, sp.S.Naturals0)):
         return None
     if any(wave.args[0].subs(_J, 0) == 0 for wave in _list_waves(term)):
-        rest = _find_endless(domain, sp.Sum(total.function, (k, first + 1, sp.oo)))
+        rest = find_waves(sp.Sum(total.function, (k, first + 1, sp.oo)), domain)
         return None if rest is None else term.subs(_J, 0) + rest
     for factor, wave, angle in _read(term):
         if (known := SERIES.get(wave)) and (

@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.exactness import RecordError
-from mechproof.record.parts import find_free, find_parts, has_parts, replace_parts
+from mechproof.record.parts import find_bound, find_free, find_parts, has_parts, replace_parts
 
 # A sum of more terms than this is not written out.
 MOST_TERMS = 64
@@ -30,6 +30,18 @@ def put_found(expression: Any, found: Mapping[Any, sp.Expr | None]) -> Any:
     known = {part: value for part, value in found.items() if value is not None}
     finite = {part: value for part, value in known.items() if not value.is_infinite}
     return known.get(expression, expression.xreplace(finite))
+
+
+def put_values(
+    expression: Any, domain: Any, kinds: tuple[type, ...], find: Callable[[Any, Any], Any]
+) -> Any:
+    """Replace parts of some kinds, whose letters are bound nowhere, by the values found for them.
+
+    An infinite value replaces only a part that stands alone.
+    """
+    bound = set(find_bound(expression))
+    parts = (part for part in find_parts(expression, *kinds) if not part.free_symbols & bound)
+    return put_found(expression, {part: find(part, domain) for part in sorted(parts, key=str)})
 
 
 def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
