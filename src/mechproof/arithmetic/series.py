@@ -20,7 +20,7 @@ import sympy as sp
 from flint import arb, arb_series, ctx
 from sympy.codegen.cfunctions import expm1, log1p
 
-from mechproof.arithmetic.ball_functions import COMPARISONS, CONNECTIVES, FUNCTIONS
+from mechproof.arithmetic.ball_functions import COMPARISONS, CONNECTIVES, FUNCTIONS, NOT_FINITE
 from mechproof.arithmetic.balls import Ball, to_ball
 from mechproof.arithmetic.layout import Given, Layout, Operation, Plan
 
@@ -51,7 +51,6 @@ BITS = 128
 CONSTANT_BITS = 640
 # The longest series: those of plain numbers are stored at this length.
 LONGEST = 64
-NAN = arb("nan")
 
 
 def plan_function(node: sp.Basic, own: Rules) -> Plan:
@@ -92,7 +91,7 @@ def working(order: int, bits: int = BITS) -> Iterator[None]:
 
 def _leave_open() -> Series:
     """Return the series of something undecided: coefficients left out would count as zero."""
-    return arb_series([NAN] * ctx.cap)
+    return arb_series([NOT_FINITE] * ctx.cap)
 
 
 def list_terms(series: Series) -> list[Ball]:
@@ -210,7 +209,7 @@ def _hold(kind: type[sp.Basic]) -> Callable[..., Series]:
 
     def hold(*operands: Series) -> Series:
         value = FUNCTIONS[kind](*(list_terms(operand)[0] for operand in operands))
-        return arb_series([value] if value.is_exact() else [value, *[NAN] * (ctx.cap - 1)])
+        return arb_series([value] if value.is_exact() else [value, *[NOT_FINITE] * (ctx.cap - 1)])
 
     return hold
 
@@ -219,7 +218,7 @@ def _sinc(a: Series) -> Series:
     """Return the series of sin(a)/a, 1 at zero."""
     start, *rest = list_terms(a)
     if not is_finite(rest):
-        return arb_series([start.sinc(), *[NAN] * len(rest)])
+        return arb_series([start.sinc(), *[NOT_FINITE] * len(rest)])
     change = arb_series([0, *rest])
     terms = reversed(_expand_sinc(start))
     return reduce(lambda total, term: total * change + term, terms, arb_series([0]))
@@ -246,7 +245,7 @@ def _larger(a: Series, b: Series) -> Series:
         return a
     if one <= other:
         return b
-    return arb_series([one.max(other), *[NAN] * (ctx.cap - 1)])
+    return arb_series([one.max(other), *[NOT_FINITE] * (ctx.cap - 1)])
 
 
 def _direction(y: Series, x: Series) -> Series:

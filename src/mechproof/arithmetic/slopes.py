@@ -21,6 +21,7 @@ from flint import arb
 from mechproof.arithmetic.ball_evaluation import compile_expression, plan as plan_balls
 from mechproof.arithmetic.balls import NOT_FINITE, working_precision
 from mechproof.arithmetic.layout import WHOLE, Given, Layout, Plan, Values
+from mechproof.record.relations import KINKED
 
 # Precision in bits, more than that of doubles: the width of slopes should come from boxes, not from
 # rounding.
@@ -32,8 +33,6 @@ SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
     sp.Min: ((0, 1), (1, 0)),
     sp.Abs: ((1,), (-1,)),
 }
-# Nodes without slopes: a kink under a bound symbol has no single side, and branches need not meet.
-ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.Heaviside, sp.sign, sp.Max, sp.Min, sp.Abs)
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,8 +258,9 @@ def _describe_whole(
 
 @cache
 def _is_rough(node: sp.Basic) -> bool:
+    """Return whether a node has no slopes: kinks under bound symbols have no single side."""
     expression, _, _ = _describe(node)
-    return bool(expression.has(*ROUGH))
+    return bool(expression.has(*KINKED))
 
 
 @cache

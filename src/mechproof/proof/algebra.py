@@ -16,13 +16,12 @@ import sympy as sp
 
 from mechproof.arithmetic.polynomials import factor_list, is_zero, reduce_polynomial, split
 from mechproof.proof.canonical_sums import canonicalise
-from mechproof.proof.coordinates import ANGULAR, BY_SINES, HYPERBOLIC, list_terms
+from mechproof.proof.coordinates import BY_SINES, HYPERBOLIC, list_terms
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
-from mechproof.record.parts import find_parts, has_parts
+from mechproof.record.parts import ANGLES, CIRCULAR, find_parts, has_parts
 from mechproof.statement_domains.domain import Domain
 
 _HALF = sp.Rational(1, 2)
-_ARGUMENTS = (sp.atan, sp.atan2, sp.asin, sp.acos)
 _EXPONENTIALS = (sp.exp, *HYPERBOLIC)
 
 
@@ -74,7 +73,7 @@ class Field:
         return next((name for used, name in kinds if used), "rational field")
 
     def _collect_angles(self, expression: sp.Basic) -> None:
-        for node in find_parts(expression, *ANGULAR, *_EXPONENTIALS):
+        for node in find_parts(expression, *CIRCULAR, *_EXPONENTIALS):
             for monomial, factor in list_terms(node.args[0]):
                 known = self._denominators.get(monomial, 1)
                 self._denominators[monomial] = lcm(known, int(factor.q))
@@ -101,7 +100,7 @@ class Field:
             return self._translate_root(node.args[0] ** 2)
         if isinstance(node, sp.sign) and (sign := find_sign(node.args[0], self.domain)):
             return sp.Integer(sign.direction) if sign.strict else self._translate_opaque(node)
-        if isinstance(node, ANGULAR):
+        if isinstance(node, CIRCULAR):
             return self._translate_angle(node)
         if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
             return self._translate_exponential(node)
@@ -154,7 +153,7 @@ class Field:
 
     def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
         # cos(atan(u)/2) is not rational in u and one root: only whole angles are taken apart.
-        if isinstance(monomial, _ARGUMENTS) and self._denominators[monomial] == 1:
+        if isinstance(monomial, ANGLES) and self._denominators[monomial] == 1:
             return self._point_of_argument(monomial)
         if monomial not in self._circle:
             base = monomial / self._denominators[monomial]

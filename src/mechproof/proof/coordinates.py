@@ -25,7 +25,6 @@ BY_SINES: Mapping[type[sp.Expr], Callable[[sp.Expr, sp.Expr], sp.Expr]] = Mappin
         sp.csc: lambda sine, cosine: 1 / sine,
     }
 )
-ANGULAR = tuple(BY_SINES)
 HYPERBOLIC = (sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
 
 

@@ -16,7 +16,7 @@ from mechproof.statement_domains.domain import Domain, Point
 # not come first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _MOST_TRIED = 2000
-_STEPS = (sp.floor, sp.ceiling, sp.sign, sp.Heaviside, sp.Mod, sp.Piecewise, sp.KroneckerDelta)
+STEPS = (sp.floor, sp.ceiling, sp.sign, sp.Heaviside, sp.Mod, sp.Piecewise, sp.KroneckerDelta)
 
 
 def is_count(symbol: sp.Basic, domain: Domain) -> bool:
@@ -29,7 +29,7 @@ def has_steps(expression: sp.Expr, domain: Domain) -> bool:
     resolved = domain.resolve(expression)
     runs = (isinstance(domain.set_of(s), sp.Interval) for s in resolved.free_symbols)
     counts = any(s.is_integer for s in resolved.free_symbols)
-    return counts or not all(runs) or resolved.has(*_STEPS)
+    return counts or not all(runs) or resolved.has(*STEPS)
 
 
 def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, Domain] | None:
@@ -39,7 +39,7 @@ def let_run(value: sp.Expr, count: sp.Symbol, domain: Domain) -> tuple[sp.Expr, 
     negative base, whose powers have no real values between whole exponents.
     """
     first = find_first(count, domain)
-    if first is None or value.has(sp.factorial, *_STEPS):
+    if first is None or value.has(sp.factorial, *STEPS):
         return None
     run = sp.Dummy(count.name, positive=True) if first > 0 else sp.Dummy(count.name, real=True)
     within = {s: values for s, values in domain.within.items() if s != count}

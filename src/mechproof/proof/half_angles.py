@@ -17,7 +17,6 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.proof.coordinates import (
-    ANGULAR,
     BY_SINES,
     HYPERBOLIC,
     list_terms,
@@ -26,7 +25,7 @@ from mechproof.proof.coordinates import (
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_positive, is_workable, multiply_signs
 from mechproof.record import RecordError, Root, Slack
-from mechproof.record.parts import has_parts
+from mechproof.record.parts import CIRCULAR, INVERSE, has_parts
 from mechproof.statement_domains.domain import Domain
 
 _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
@@ -36,7 +35,7 @@ _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
     sp.erf: sp.Interval.open(-1, 1),
     sp.acosh: sp.Interval(0, sp.oo),
 }
-_MONOTONIC = (sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh, sp.erf, sp.log)
+_MONOTONIC = (*INVERSE, sp.erf, sp.log)
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
 # Work limits: the largest multiple of a base angle, and the number of base angles.
 _MOST_TIMES = 12
@@ -61,7 +60,7 @@ def is_negative_somewhere(value: sp.Expr, domain: Domain) -> bool:
 def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of an expression on a domain, or None if it is not shown."""
     expression = domain.resolve(expression)
-    if not has_parts(expression, *ANGULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
+    if not has_parts(expression, *CIRCULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
         return None
     if has_parts(expression, sp.Sum, sp.Integral, Root) or not is_workable(expression):
         return None
@@ -190,7 +189,7 @@ def _find_bases(expression: sp.Expr) -> dict[sp.Expr, int] | None:
     """Return the angles' monomials with their denominators, or None if multiples are too large."""
     bases: dict[sp.Expr, int] = {}
     largest: dict[sp.Expr, sp.Rational] = {}
-    for node in expression.atoms(*ANGULAR):
+    for node in expression.atoms(*CIRCULAR):
         for monomial, factor in list_terms(node.args[0]):
             if monomial.is_number:
                 continue
@@ -206,14 +205,14 @@ def _find_sign(
 ) -> StrictSign | None:
     """Replace one base angle by the tangent of its half, then recurse for the others."""
     if not bases:
-        return None if expression.has(*ANGULAR) else find_sign(expression, domain)
+        return None if expression.has(*CIRCULAR) else find_sign(expression, domain)
     (monomial, denominator), *others = bases
     values = _find_values(monomial, domain)
     centre, run = _center(values, denominator)
     angle, tangent = sp.Dummy("u", real=True), sp.Dummy("t", real=True)
     base = denominator * (angle + centre)
     turned = expression.replace(
-        lambda node: isinstance(node, ANGULAR) and node.has(monomial),
+        lambda node: isinstance(node, CIRCULAR) and node.has(monomial),
         lambda node: _expand(node, monomial, base),
     )
     square = tangent**2

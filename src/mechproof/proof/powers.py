@@ -12,6 +12,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.coordinates import HYPERBOLIC, write_by_sines
+from mechproof.proof.counts import STEPS
 from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record import Slack, list_divisors
@@ -19,10 +20,7 @@ from mechproof.record.parts import has_parts
 from mechproof.statement_domains.domain import Domain
 
 RUNG = "logarithms and powers"
-_JUMPING = (
-    *(sp.sign, sp.floor, sp.ceiling, sp.Heaviside, sp.Mod, sp.atan2),
-    *(sp.KroneckerDelta, sp.Piecewise),
-)
+_JUMPING = (*STEPS, sp.atan2)
 
 
 def decide_by_logarithms(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:

@@ -20,7 +20,7 @@ from flint import arb, arb_series
 
 from mechproof.arithmetic import balls
 from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
-from mechproof.arithmetic.series import LONGEST, NAN, TaylorExpression, list_terms, working
+from mechproof.arithmetic.series import LONGEST, TaylorExpression, list_terms, working
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.sign_forms import drop_signed_factors
 from mechproof.record.parts import has_parts
@@ -209,6 +209,6 @@ def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
             terms = list_terms(expression.expand(place))
             # NaN, as infinite balls cannot be compared with numbers.
             if not all(term.is_finite() for term in terms):
-                return NAN
+                return balls.NOT_FINITE
             sizes.append(terms[ORDER].abs_upper())
     return max(sizes)

@@ -17,6 +17,8 @@ TURNING = (sp.sin, sp.cos, sp.tan)
 CIRCULAR = (*TURNING, sp.cot, sp.sec, sp.csc)
 ARCS = (sp.asin, sp.acos, sp.atan)
 ANGLES = (*ARCS, sp.atan2)
+# Inverse functions with algebraic derivatives.
+INVERSE = (*ARCS, sp.asinh, sp.acosh, sp.atanh)
 ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 # Functions that are differentiated by the chain rule.
 _PLAIN = (*CIRCULAR, *ANGLES, sp.exp, sp.log)
