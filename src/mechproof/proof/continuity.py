@@ -13,7 +13,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.half_angles import find_sign_there, is_shown_there
 from mechproof.proof.signs import is_positive, is_within_quarter_turn
 from mechproof.record import Slack, list_needs
-from mechproof.record.parts import INVERSE, differentiate
+from mechproof.record.parts import INVERSES, differentiate
 from mechproof.statement_domains.domain import Domain
 
 _POLES = 4
@@ -90,7 +90,7 @@ def _range_between(limits: list[sp.Expr], domain: Domain) -> sp.Set:
 
 
 RUNG = "derivative, constant, continuity"
-_TRANSCENDENTAL = (*INVERSE, sp.atan2, sp.log, sp.Integral)
+_TRANSCENDENTAL = (*INVERSES, sp.atan2, sp.log, sp.Integral)
 _CANDIDATES = 2
 
 

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.arithmetic.polynomials import cancel, factor_list, reduce_polynomial, split
 from mechproof.record import Slack
-from mechproof.record.parts import TURNING, replace_parts
+from mechproof.record.parts import INVERSES, TURNING, replace_parts
 from mechproof.statement_domains.set_values import COUNTS
 
 # Trigonometric functions of an angle as functions of its sine and its cosine.
@@ -238,16 +238,7 @@ def list_terms(expression: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
     return [(monomial, factor) for factor, monomial in terms]
 
 
-_QUARTER = sp.pi / 2
-# For each inverse function: the function, the ends of its range, and 1 if it rises, -1 if it falls.
-_RANGES: Mapping[type[sp.Basic], tuple[type[sp.Expr], sp.Expr, sp.Expr, int]] = {
-    sp.asin: (sp.sin, -_QUARTER, _QUARTER, 1),
-    sp.acos: (sp.cos, sp.S.Zero, sp.pi, -1),
-    sp.atan: (sp.tan, -_QUARTER, _QUARTER, 1),
-    sp.log: (sp.exp, -sp.oo, sp.oo, 1),
-    sp.asinh: (sp.sinh, -sp.oo, sp.oo, 1),
-    sp.atanh: (sp.tanh, -sp.oo, sp.oo, 1),
-}
+_INVERTED = {**INVERSES, sp.log: (sp.exp, sp.Interval(-sp.oo, sp.oo))}
 
 
 def list_by_values(slack: Slack) -> Iterator[tuple[Slack, Slack, Slack]]:
@@ -258,11 +249,13 @@ def list_by_values(slack: Slack) -> Iterator[tuple[Slack, Slack, Slack]]:
     """
     for term in sp.Add.make_args(slack.value):
         way, inverse = term.as_coeff_Mul()
-        if type(inverse) not in _RANGES or way not in (1, -1):
+        if type(inverse) not in _INVERTED or way not in (1, -1):
             continue
-        function, low, high, direction = _RANGES[type(inverse)]
+        function, values = _INVERTED[type(inverse)]
         other = way * (term - slack.value)
-        gap = way * direction * (inverse.args[0] - function(other))
-        above, below = (Slack(x, function == sp.tan) for x in (other - low, high - other))
+        turn = -way if function == sp.cos else way
+        gap = turn * (inverse.args[0] - function(other))
+        ends = (other - values.start, values.end - other)
+        above, below = (Slack(x, bool(values.left_open)) for x in ends)
         ends = (above, below) if way > 0 else (below, above)
         yield slack._replace(value=gap), *ends

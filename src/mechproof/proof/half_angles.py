@@ -25,17 +25,15 @@ from mechproof.proof.coordinates import (
 from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign, is_positive, is_workable, multiply_signs
 from mechproof.record import RecordError, Root, Slack
-from mechproof.record.parts import CIRCULAR, INVERSE, has_parts
+from mechproof.record.parts import CIRCULAR, INVERSES, has_parts
 from mechproof.statement_domains.domain import Domain
 
+# Monotonic functions, and the intervals of their values.
 _RANGES: Mapping[type[sp.Basic], sp.Interval] = {
-    sp.asin: sp.Interval(-sp.pi / 2, sp.pi / 2),
-    sp.acos: sp.Interval(0, sp.pi),
-    sp.atan: sp.Interval.open(-sp.pi / 2, sp.pi / 2),
+    **{kind: values for kind, (_, values) in INVERSES.items()},
     sp.erf: sp.Interval.open(-1, 1),
-    sp.acosh: sp.Interval(0, sp.oo),
+    sp.log: sp.Interval(-sp.oo, sp.oo),
 }
-_MONOTONIC = (*INVERSE, sp.erf, sp.log)
 _PLACES = (sp.S.Zero, sp.S.One, -sp.S.One)
 # Work limits: the largest multiple of a base angle, and the number of base angles.
 _MOST_TIMES = 12
@@ -60,7 +58,7 @@ def is_negative_somewhere(value: sp.Expr, domain: Domain) -> bool:
 def find_sign_in_half_angles(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of an expression on a domain, or None if it is not shown."""
     expression = domain.resolve(expression)
-    if not has_parts(expression, *CIRCULAR, *HYPERBOLIC, sp.exp, *_MONOTONIC):
+    if not has_parts(expression, *CIRCULAR, *HYPERBOLIC, sp.exp, *_RANGES):
         return None
     if has_parts(expression, sp.Sum, sp.Integral, Root) or not is_workable(expression):
         return None
@@ -122,7 +120,7 @@ def _name_ranges(
     expression: sp.Expr, domain: Domain
 ) -> tuple[sp.Expr, dict[sp.Basic, sp.Interval]]:
     """Replace functions of which only the range is known by variables with that range."""
-    nodes = sorted(expression.atoms(*_MONOTONIC), key=sp.default_sort_key)
+    nodes = sorted(expression.atoms(*_RANGES), key=sp.default_sort_key)
     outer = [n for n in nodes if not any(n != o and o.has(n) for o in nodes)]
     named: dict[sp.Basic, sp.Symbol] = {}
     within: dict[sp.Basic, sp.Interval] = {}
@@ -135,7 +133,7 @@ def _name_ranges(
 def _find_range(node: sp.Expr, domain: Domain) -> sp.Interval:
     """Return the range of a monotonic function's values, given what is known of its argument."""
     (argument,) = node.args
-    values = _RANGES.get(type(node), sp.Interval(-sp.oo, sp.oo))
+    values = _RANGES[type(node)]
     direction = -1 if isinstance(node, sp.acos) else 1
     for place in _list_places(argument, domain):
         there = node.func(place)

@@ -25,7 +25,8 @@ from mechproof.proof.inequalities import isolate_root, show_sign
 from mechproof.proof.polynomial_signs import sign_of_number
 from mechproof.proof.signs import find_sign, is_positive, is_shown
 from mechproof.record import Slack
-from mechproof.record.parts import ARCS, has_parts
+from mechproof.record.parts import ARCS, INVERSES, has_parts
+from mechproof.record.relations import list_gaps
 from mechproof.statement_domains.domain import Domain
 
 INVERSE = "inverse function: value and range"
@@ -44,15 +45,6 @@ _AREAS: Mapping[type[sp.Basic], Callable[[sp.Expr], sp.Expr]] = {
     sp.asinh: lambda u: sp.log(u + sp.sqrt(u**2 + 1)),
     sp.acosh: lambda u: sp.log(u + sp.sqrt(u**2 - 1)),
     sp.atanh: lambda u: (sp.log(1 + u) - sp.log(1 - u)) / 2,
-}
-# For each inverse function: the function, and the slacks that must hold for y to lie in its range.
-_INVERSES: Mapping[type[sp.Basic], tuple[Callable[..., sp.Expr], Callable[..., list[Slack]]]] = {
-    sp.asin: (sp.sin, lambda y: [Slack(sp.pi / 2 + k * y, False) for k in (1, -1)]),
-    sp.acos: (sp.cos, lambda y: [Slack(y, False), Slack(sp.pi - y, False)]),
-    sp.atan: (sp.tan, lambda y: [Slack(sp.pi / 2 + k * y, True) for k in (1, -1)]),
-    sp.asinh: (sp.sinh, lambda y: []),
-    sp.acosh: (sp.cosh, lambda y: [Slack(y, False)]),
-    sp.atanh: (sp.tanh, lambda y: []),
 }
 
 
@@ -79,7 +71,7 @@ def decide_by_inverse(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | No
 
 def _divide(difference: sp.Expr) -> sp.Expr:
     """Divide by an inverse function's factor if that is a nonzero irrational number."""
-    inverses = (*_INVERSES, sp.log)
+    inverses = (*INVERSES, sp.log)
     for term in sp.Add.make_args(difference):
         number, rest = term.as_independent(*difference.free_symbols, *inverses, as_Add=False)
         if type(rest) not in inverses or not number.is_number or number.is_rational:
@@ -119,7 +111,7 @@ def _is_inverse(difference: sp.Expr, domain: Domain) -> bool:
         check(node, _write_arcs(sp.expand(node - difference / factor), domain), domain)
         for node, factor in list_terms(difference)
         for kinds, check in (
-            (tuple(_INVERSES), _has_value),
+            (tuple(INVERSES), _has_value),
             ((sp.atan, sp.atan2), _has_direction),
         )
         if isinstance(node, kinds)
@@ -160,14 +152,14 @@ def _has_direction(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
 
 
 def _has_value(node: sp.Expr, value: sp.Expr, domain: Domain) -> bool:
-    function, needs = _INVERSES[type(node)]
+    function, values = INVERSES[type(node)]
     if type(node) in _AREAS:
         there = function(value).rewrite(sp.exp).replace(sp.exp, _exponentiate)
     else:
         there = function(value)
     if decide_equal(there, node.args[0], domain) is None:
         return False
-    return all(_is_met(need, domain) for need in needs(value))
+    return all(_is_met(need, domain) for need in list_gaps(value, values))
 
 
 def _exponentiate(argument: sp.Expr) -> sp.Expr:

@@ -18,7 +18,7 @@ from mechproof.proof.counts import let_run
 from mechproof.proof.half_angles import find_sign_there
 from mechproof.proof.powers import write_by_logarithms
 from mechproof.proof.signs import is_positive
-from mechproof.record.parts import INVERSE, TURNING, has_parts
+from mechproof.record.parts import INVERSES, TURNING, has_parts
 from mechproof.record.relations import find_slack
 from mechproof.statement_domains.domain import Domain
 
@@ -55,13 +55,13 @@ def drop_signed_factors(value: sp.Expr, domain: Domain) -> sp.Expr:
 def free_logarithms(value: sp.Expr, domain: Domain) -> sp.Expr:
     """Drop factors with known signs, and the factor that all logarithms have in common."""
     value = drop_signed_factors(value, domain)
-    nodes = sorted(value.atoms(sp.log) or value.atoms(*INVERSE), key=sp.default_sort_key)
+    nodes = sorted(value.atoms(sp.log) or value.atoms(*INVERSES), key=sp.default_sort_key)
     if not nodes:
         return value
     expanded = sp.expand(value)
     factors = {node: expanded.coeff(node) for node in nodes}
     common = factors[nodes[0]].as_coeff_Mul()[1]
-    if not common.free_symbols or common.has(sp.log, *INVERSE):
+    if not common.free_symbols or common.has(sp.log, *INVERSES):
         return value
     ratios = {node: sp.cancel(factor / common) for node, factor in factors.items()}
     sign = find_sign_there(common, domain)

@@ -17,8 +17,15 @@ TURNING = (sp.sin, sp.cos, sp.tan)
 CIRCULAR = (*TURNING, sp.cot, sp.sec, sp.csc)
 ARCS = (sp.asin, sp.acos, sp.atan)
 ANGLES = (*ARCS, sp.atan2)
-# Inverse functions with algebraic derivatives.
-INVERSE = (*ARCS, sp.asinh, sp.acosh, sp.atanh)
+# For each inverse function, the function and the interval of the values.
+INVERSES: Mapping[type[sp.Expr], tuple[type[sp.Expr], sp.Interval]] = {
+    sp.asin: (sp.sin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
+    sp.acos: (sp.cos, sp.Interval(0, sp.pi)),
+    sp.atan: (sp.tan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
+    sp.asinh: (sp.sinh, sp.Interval(-sp.oo, sp.oo)),
+    sp.acosh: (sp.cosh, sp.Interval(0, sp.oo)),
+    sp.atanh: (sp.tanh, sp.Interval(-sp.oo, sp.oo)),
+}
 ENDLESS = (sp.Integral, sp.Sum, sp.Product, sp.Limit)
 # Functions that are differentiated by the chain rule.
 _PLAIN = (*CIRCULAR, *ANGLES, sp.exp, sp.log)

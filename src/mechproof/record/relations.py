@@ -195,6 +195,14 @@ _TURNING: Mapping[tuple[type[sp.Expr], ...], type[sp.Expr]] = {
     (sp.tan, sp.sec): sp.cos,
     (sp.cot, sp.csc): sp.sin,
 }
+
+
+def list_gaps(value: sp.Expr, within: sp.Interval) -> list[Slack]:
+    """List the slacks that must hold for a number to lie in an interval."""
+    ends = ((value - within.start, within.left_open), (within.end - value, within.right_open))
+    return [Slack(gap, bool(is_open)) for gap, is_open in ends if not gap.is_infinite]
+
+
 # Functions with kinks or steps: denominators of these may be zero on whole intervals.
 KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Heaviside, sp.Piecewise)
 
