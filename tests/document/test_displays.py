@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from mechproof.nomenclature.inline import find_inline, find_quantities
 from mechproof.sources.displays import Printed, find_displays
 from mechproof.sources.macros import MOST_CALLS
 from mechproof.sources.paper_files import read_source
@@ -308,3 +309,24 @@ def test_places_are_those_of_the_source() -> None:
     place = source.files.locate(one.latex.offsets[one.latex.string.index("b")])
     assert str(place) == "paper.tex:4:9"
     assert str(source.files.locate(one.latex.offsets[0])) == "paper.tex:4:6"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("equation", "align*", "alignat", "flalign*", "displaymath", "IEEEeqnarray", "dmath"),
+        *("numcases", "xalignat", "tabular*", "longtable"),
+    ],
+)
+def test_what_stands_in_a_display_or_a_table_is_no_sentence(name: str) -> None:
+    said = r"y \text{, a bolt of 157 mm and, as given above, $a=5$} \\[2pt]"
+    shown = read_source("paper.tex", rf"\begin{{{name}}}{said}\end{{{name}}} Then {said}")
+    places = [one.offset for one in find_inline(shown, ["a"])]
+    places += [one.place for one in find_quantities(shown)]
+    assert len(places) == 2
+    assert all(place > shown.text.string.index("Then") for place in places)
+
+
+def test_what_stands_after_a_line_break_is_a_sentence() -> None:
+    shown = read_source("paper.tex", r"A line\\[2pt] with $a=5$ \[y=ax\] and $b=6$")
+    assert [one.letter for one in find_inline(shown, ["a", "b"])] == ["a", "b"]

@@ -13,9 +13,9 @@ import sympy as sp
 
 from mechproof.document.known import Known, Values
 from mechproof.document.tasks import Sign
-from mechproof.nomenclature.inline import DISPLAY, Inline, find_inline
+from mechproof.nomenclature.inline import Inline, find_inline
 from mechproof.nomenclature.said_relations import read_relations
-from mechproof.sources.displays import Printed
+from mechproof.sources.displays import DISPLAY, Printed
 from mechproof.sources.paper_files import Source
 
 # Words that introduce a case in the sentence before a formula, or right after a display.

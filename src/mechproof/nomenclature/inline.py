@@ -14,15 +14,10 @@ import sympy as sp
 from mechproof.nomenclature.cells import Numeral, find_unit, name_unit, read_numeral
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.record.unit_notation import ONE, Unit, read_unit
-from mechproof.sources.displays import Printed
+from mechproof.sources.displays import Printed, hide_displays
 from mechproof.sources.macros import expand, find_macros
 from mechproof.sources.paper_files import Source
 
-DISPLAY = re.compile(
-    r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{(?P<name>equation|align|gather|multline|eqnarray|tabular)"
-    r"(?P<star>\*?)\}.*?\\end\{(?P=name)(?P=star)\}",
-    re.DOTALL,
-)
 _INLINE = re.compile(r"(?<![\\$])\$(?P<dollar>[^$]{1,120}?)\$|\\\((?P<bracket>.{1,120}?)\\\)")
 EQUATION = re.compile(
     r"\s*(?P<letter>[^=<>]+?)\s*=\s*(?P<value>[^=<>]+?)(?P<rest>(?:\s*=[^=<>]+)*?)\s*[.,;]?\s*\Z"
@@ -108,7 +103,7 @@ class Inline:
 def find_inline(source: Source, letters: Collection[str]) -> Iterator[Inline]:
     """Yield the values that sentences give to letters of the equations."""
     names = {name_symbol(letter): letter for letter in letters}
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = hide_displays(source.text.string)
     macros = {defined.name: defined.macro for defined in find_macros(source.text)[0]}
     for match in _INLINE.finditer(text):
         inside = source.text[slice(*match.span("dollar" if match["dollar"] else "bracket"))]
@@ -219,7 +214,7 @@ class SaidQuantity:
 
 def find_quantities(source: Source) -> Iterator[SaidQuantity]:
     """Yield the numbers with a unit outside displays."""
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = hide_displays(source.text.string)
     for match in _SAID.finditer(text):
         printed, unit = _find_unit_after(match["after"])
         if printed:

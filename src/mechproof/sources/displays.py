@@ -30,9 +30,9 @@ from mechproof.sources.plain_displays import (
     write_frames,
     write_plainly,
 )
+from mechproof.sources.tabulars import TABLES
 
-_NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
-_NAMES += r"|IEEEeqnarray\*?|dmath\*?"
+_NAMES = r"(?:equation|(?:fl)?align(?:at)?|gather|multline|(?:IEEE)?eqnarray|dmath)\*?|displaymath"
 # Told to users: which equations are looked for in a text.
 EXPECTED = (
     r"equations are displays, \begin{equation}…\end{equation} and the like (align, gather, "
@@ -53,6 +53,12 @@ _EVENT = re.compile(
     r"|\\(?P<appendix>appendix)(?![A-Za-z])"
     rf"|(?P<opened>\\begin\{{(?:{_NAMES})\}}|(?<!\\)\\\[|^\$\$)(?P<rest>[^\n]*)",
     re.DOTALL | re.MULTILINE,
+)
+# A display or a table, outside of which are the sentences of a text.
+_UNSAID = rf"{_NAMES}|(?:{'|'.join(FRAMES)})\*?|{TABLES}"
+DISPLAY = re.compile(
+    rf"\$\$.*?\$\$|(?<!\\)\\\[.*?\\\]|\\begin\{{(?P<name>{_UNSAID})\}}.*?\\end\{{(?P=name)\}}",
+    re.DOTALL,
 )
 # Displays that are one equation with one number, however many lines they have.
 _SINGLE = ("", "equation", "displaymath", "multline")
@@ -161,6 +167,11 @@ def find_displays(text: LocatedText, *, cut: bool = True) -> Iterator[Printed]:
                 before = printed
                 yield printed
             last = end
+
+
+def hide_displays(string: str) -> str:
+    """Return a text with blanks for its displays and tables: sentences keep their places."""
+    return DISPLAY.sub(lambda match: " " * len(match[0]), string)
 
 
 def _show_opened(text: LocatedText, match: re.Match[str], name: str, group: int) -> Printed:

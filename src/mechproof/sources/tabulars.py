@@ -16,7 +16,8 @@ from mechproof.sources.located_text import LocatedText
 from mechproof.sources.macros import expand, find_macros
 from mechproof.sources.paper_files import DocumentError
 
-_BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
+TABLES = r"tabular[*xy]?|longtable|(?:long)?tabu"
+_BEGIN = re.compile(rf"\\begin\{{({TABLES})\}}")
 _OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")
 # Number of arguments in braces in front of the rows.
 _ARGUMENTS = {"tabular*": 2, "tabularx": 2, "tabulary": 2}

@@ -16,7 +16,6 @@ from itertools import pairwise
 from mechproof.document.example_values import find_example
 from mechproof.nomenclature.inline import (
     CALL,
-    DISPLAY,
     EQUATION,
     RATE,
     Inline,
@@ -25,7 +24,7 @@ from mechproof.nomenclature.inline import (
 )
 from mechproof.nomenclature.said import Said
 from mechproof.nomenclature.shown_letters import collect_letters, name_symbol
-from mechproof.sources.displays import Printed
+from mechproof.sources.displays import DISPLAY, Printed, hide_displays
 from mechproof.sources.paper_files import Source
 
 # A reference, or a number in brackets.
@@ -152,7 +151,7 @@ def propose_relations(
     source: Source, letters: Sequence[str], displays: Sequence[Printed]
 ) -> Iterator[str]:
     r"""Yield relations that a sentence adds to its subject: with $\tan\rho=\mu$."""
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = hide_displays(source.text.string)
     names = {name_symbol(letter) for letter in letters}
     for match in _RELATION.finditer(text):
         before = text[max(match.start() - _NEAR, 0) : match.start()]
@@ -173,7 +172,7 @@ def propose_conditions(
     source: Source, letters: Sequence[str], displays: Sequence[Printed]
 ) -> Iterator[str]:
     """Yield conditions that sentences say to hold; those in an example as questions."""
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = hide_displays(source.text.string)
     for match in _CONDITION.finditer(text):
         if _has_letter(match["says"], "", letters):
             offset = source.text.offsets[match.start()]
@@ -208,7 +207,7 @@ def ask_what_follows(source: Source, displays: Sequence[Printed]) -> Iterator[st
     starts = [one.latex.offsets[0] for one in displays]
     met: dict[int, dict[str, int]] = {}
     # A display refers to others for itself, and may have its own number beside it.
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), source.text.string)
+    text = hide_displays(source.text.string)
     for match in _REFERENCE.finditer(text):
         offset = source.text.offsets[match.start()]
         after = bisect_right(starts, offset)
@@ -291,7 +290,7 @@ def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
     """
     names = {name_symbol(letter): letter for letter in running}
     shown = source.text.string
-    text = DISPLAY.sub(lambda match: " " * len(match[0]), shown)
+    text = hide_displays(shown)
     for pattern in _PATTERNS:
         for match in pattern.finditer(text):
             said = match.groupdict()
