@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 import pytest
-from small_papers import judge_parts
+from small_papers import judge_parts, judge_rows
 
 from mechproof.document.checking import check
 
@@ -265,3 +265,24 @@ def test_a_later_case_in_which_letters_have_no_values_is_left_out(sign: str, out
     row = check("paper.tex", ROOTS.replace("v-px", f"v{sign}px")).rows[4]
     assert row.outcome == outcome
     assert row.reason.endswith("does not rest on display 6") == (outcome == "PROVED")
+
+
+LIFT = "%% mechproof\n%% x ; a ; z : numbers {a>0}\n%% y(x) ; w(x) : lifts [1]\n%% end\n"
+FLAT = ("w=y+1", "#In the special case of a flat follower,", "y=ax^2")
+
+
+@pytest.mark.parametrize(
+    ("words", "value", "outcome"),
+    [
+        # The law of the case is put into the integral, which nothing can then be judged without.
+        ("#In general,", r"z=\int_0^1 y\,dx=\frac a2", "not judged"),
+        ("#In general,", r"z=\int_0^1 w\,dx=\frac a2", "not judged"),
+        ("#In general,", r"z=\int_0^1 ax\,dx=\frac a3", "REFUTED"),
+        ("#", r"z=\int_0^1 y\,dx=\frac a2", "REFUTED"),
+        ("#", r"z=\int_0^1 y\,dx=\frac a3", "PROVED"),
+    ],
+)
+def test_an_integral_rests_on_the_law_of_a_case(words: str, value: str, outcome: str) -> None:
+    row = judge_rows(LIFT, *FLAT, words, value)[-1]
+    assert row.outcome == outcome
+    assert "this does not rest on" not in row.reason

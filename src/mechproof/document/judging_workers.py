@@ -130,12 +130,12 @@ def judge_without(
 
     A difference is refuted only if both sides then have the same letters, as identities have.
     """
-    task = tasks[number]
-    free = [replace(v, given=None) if v.symbol in letters else v for v in task.paper.variables]
-    paper = replace(task.paper, variables=tuple(free))
+    task = tasks[number].give_values(dict.fromkeys(letters))
+    if task is None:
+        return None
     try:
-        found = judge(task.row, paper)
-        sides = [*map(Domain.of(paper, task.row.on).resolve, task.sign.sides)]
+        found = judge(task.row, task.paper)
+        sides = [*map(Domain.of(task.paper, task.row.on).resolve, task.sign.sides)]
     except (RecordError, ContradictionError, TypeError):
         return None
     is_compared = task.asserts or task.sign.role in COMPARED

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
 import sympy as sp
 
-from mechproof.record import Paper, PrintedNumber, Row
+from mechproof.latex.values import list_reached
+from mechproof.record import Paper, PrintedNumber, Row, list_given
+from mechproof.record.statements import list_letters
 from mechproof.sources.announcements import NOTHING, Announced
 from mechproof.sources.located_text import Place
 
@@ -162,3 +164,20 @@ class Task:
     def is_alone(self) -> bool:
         """Return whether the row only gives a number for a letter that is defined elsewhere."""
         return self.sign.role is Role.NUMBER and self.sign.letter is not None
+
+    def give_values(self, values: Mapping[sp.Basic, Any]) -> Task | None:
+        """Return the row with other values of letters, None for a letter without a value.
+
+        Returns None if the values of their first prints are put into its statement, as they are
+        into integrands and derivatives.
+        """
+        given = list_given(self.paper.variables)
+        used = list_reached(list_letters(self.row.statement), given)
+        put_in = list_reached(self.sign.printed, given) - used
+        if put_in & values.keys() or not used & values.keys():
+            return None
+        variables = tuple(
+            replace(v, given=values[v.symbol]) if v.symbol in values else v
+            for v in self.paper.variables
+        )
+        return replace(self, paper=replace(self.paper, variables=variables))

@@ -210,6 +210,12 @@ def list_parts(statement: Statement) -> Iterator[Statement]:
         yield statement
 
 
+def list_letters(statement: Statement) -> set[sp.Basic]:
+    """Return the letters of a statement."""
+    values = (value for part in list_parts(statement) for value in vars(part).values())
+    return {s for value in values for s in getattr(value, "free_symbols", ())}
+
+
 def all_of(*parts: Statement) -> Conjunction:
     """State that every part is true."""
     return Conjunction(parts)

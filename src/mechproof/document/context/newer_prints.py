@@ -24,13 +24,18 @@ from mechproof.document.context.doubts import (
     list_printed,
     list_used,
 )
-from mechproof.document.judging_workers import COMPARED, Changes, Judging
+from mechproof.document.judging_workers import (
+    COMPARED,
+    Changes,
+    Judging,
+    judge_without,
+)
 from mechproof.document.tasks import Role, Task
 from mechproof.latex.values import list_reached
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality, list_given
-from mechproof.record.statements import list_parts
+from mechproof.record.statements import list_letters
 
 _CERTAIN = (Verdict.PROVED, Verdict.REFUTED)
 # Work limit: number of newer prints up to which all combinations are tried.
@@ -96,7 +101,7 @@ def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
     for n, task in enumerate(tasks):
         newer = [m for m in range(n) if tasks[m].anew and rows[m].state is State.NOT_JUDGED]
         newer = [m for m in newer if not is_of_another_example(tasks[m], task)]
-        letters = _list_stated(task) | task.sign.printed
+        letters = list_letters(task.row.statement) | task.sign.printed
         used = list_reached(letters, list_given(task.paper.variables)) if newer else ()
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
@@ -168,7 +173,7 @@ def _is_convicted(task: Task, row: CheckedRow, found: Judgement, last: Task) -> 
 
 def doubt_by_cases(at: Judging) -> Changes:
     """Leave open what is proved only by a definition that may be of another case."""
-    tasks, rows, asked = at.tasks, at.rows, []
+    tasks, rows, asked = at.tasks, at.rows, dict[int, list[int]]()
     for n, task in enumerate(tasks):
         found = rows[n].judgement
         is_proved = found and found.verdict is Verdict.PROVED and found.rung not in FOLLOWING
@@ -178,9 +183,11 @@ def doubt_by_cases(at: Judging) -> Changes:
         cases += [m for m in range(n) if is_left_case(tasks[m], task, used)]
         cases = [m for m in cases if not is_of_another_example(tasks[m], task)]
         if cases:
-            asked.append((n, tuple(cases)))
-    for (n, others), answer in at.ask(judge_without, asked):
+            asked[n] = cases
+    without = [(n, frozenset(tasks[m].sign.letter for m in others)) for n, others in asked.items()]
+    for (n, _), answer in at.ask(judge_without, without):
         if not (isinstance(answer, Judgement) and answer.verdict is Verdict.PROVED):
+            others = asked[n]
             names = ", ".join(tasks[m].row.number for m in others)
             why = (
                 "printed later, perhaps for a special case"
@@ -192,11 +199,6 @@ def doubt_by_cases(at: Judging) -> Changes:
                 said = tasks[others[0]].row.printed_latex
                 reason = f"{reason}; if it holds here, too, add let {said} to the block of letters"
             yield n, make_row(tasks[n], reason)
-
-
-def judge_without(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Judgement | str:
-    """Judge a row without the definitions in some other rows."""
-    return _judge_with(tasks[number], {tasks[m].sign.letter: None for m in others})
 
 
 def judge_anew(tasks: Sequence[Task], number: int, newer: Sequence[int]) -> Judgement | str:
@@ -212,16 +214,5 @@ def judge_anew(tasks: Sequence[Task], number: int, newer: Sequence[int]) -> Judg
 
 def _judge_with(task: Task, anew: Mapping[sp.Basic, Any]) -> Judgement | str:
     """Judge a row with other values of letters, None for a letter without a value."""
-    used = list_reached(_list_stated(task), list_given(task.paper.variables))
-    if not used & anew.keys():
-        return "the value of the first print is put in"
-    variables = tuple(
-        replace(v, given=anew[v.symbol]) if v.symbol in anew else v for v in task.paper.variables
-    )
-    return judge(task.row, replace(task.paper, variables=variables))
-
-
-def _list_stated(task: Task) -> set[sp.Basic]:
-    """Return the letters of a row's statement, into which some values may have been put."""
-    values = (value for part in list_parts(task.row.statement) for value in vars(part).values())
-    return {s for value in values for s in getattr(value, "free_symbols", ())}
+    given = task.give_values(anew)
+    return judge(given.row, given.paper) if given else "the value of the first print is put in"
