@@ -327,6 +327,19 @@ def test_what_stands_in_a_display_or_a_table_is_no_sentence(name: str) -> None:
     assert all(place > shown.text.string.index("Then") for place in places)
 
 
+@pytest.mark.parametrize("command", ["text", "textrm", "textit", "mbox", "mathrm"])
+def test_words_are_the_same_in_every_typeface(command: str) -> None:
+    ranged = rf"$$x_i=a_i\quad\{command}{{for}}\ i=1,\dots,n$$"
+    titled, joined = rf"$$\{command}{{Law}}: x=b$$", rf"$$y=c\quad\{command}{{and}}\quad z=d$$"
+    assert [latex for _, latex in show(ranged + titled + joined)] == [
+        "x_i=a_i",
+        "x=b",
+        "y=c",
+        "z=d",
+    ]
+    assert rf"\{command}{{never}}" in show(joined.replace("and", "never"))[0][1]
+
+
 def test_what_stands_after_a_line_break_is_a_sentence() -> None:
     shown = read_source("paper.tex", r"A line\\[2pt] with $a=5$ \[y=ax\] and $b=6$")
     assert [one.letter for one in find_inline(shown, ["a", "b"])] == ["a", "b"]

@@ -23,8 +23,9 @@ from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.nomenclature.symbol_names import DOUBLE
-from mechproof.record import Definition, Equality, Row, ValueWhere
+from mechproof.record import Definition, Equality, Row
 from mechproof.sources.displays import Printed
+from mechproof.statement_domains.preparation import take_values
 
 # Roles that a print with a double sign may have.
 _SOLVED = (Role.DEFINITION, Role.REPEATED, Role.CONSTRAINT)
@@ -149,7 +150,7 @@ def is_complex(value: Any) -> bool:
 
 def _take_parts(side: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return the real and imaginary parts; raises `NotImplementedError` if they are not found."""
-    real, imaginary = sp.expand(side.replace(ValueWhere, lambda value, _: value)).as_real_imag()
+    real, imaginary = sp.expand(take_values(side)).as_real_imag()
     if real.has(sp.re, sp.im) or imaginary.has(sp.re, sp.im):
         raise NotImplementedError
     return real, imaginary

@@ -35,6 +35,7 @@ from mechproof.statement_domains.dimension_inference import (
     dimensions_of,
     infer_common,
 )
+from mechproof.statement_domains.preparation import take_values
 
 # Functions that are undefined in places, or given by different formulas.
 _PARTIAL = (sp.log, sp.asin, sp.acos, sp.Abs, sp.sign, sp.Piecewise, sp.Max, sp.Min)
@@ -187,7 +188,7 @@ def _is_idle(side: Any, letter: sp.Basic) -> bool:
 
 def _list_letters(side: Any) -> set[sp.Basic]:
     """Return the letters that a side depends on, as far as can be seen without a proof."""
-    shown = write_out(side).replace(ValueWhere, lambda value, _: value)
+    shown = take_values(write_out(side))
     for limit in shown.atoms(sp.Limit):
         there = limit.args[0].subs(limit.args[1], limit.args[2])
         if not there.has(sp.nan, sp.zoo, sp.oo):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from mechproof.latex.words import OPENS_TEXT
 from mechproof.nomenclature.cells import Numeral, find_unit, name_unit, read_numeral
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.record.unit_notation import ONE, Unit, read_unit
@@ -57,7 +58,7 @@ _COMMA = re.compile(r",(?!\d)(?![^{}]*\})(?![^()]*\))")
 # A unit of one letter, without braces: 3\,\mathrm m.
 _UPRIGHT = re.compile(r"\\(?:mathrm|text)\s+([A-Za-z])(?![A-Za-z])")
 # What separates the equations of one display.
-_PARTS = re.compile(r"\\q?quad(?![A-Za-z])|(?<![_{])\\(?:text|mbox)\s*\{[^{}]*\}")
+_PARTS = re.compile(rf"\\q?quad(?![A-Za-z])|(?<![_{{]){OPENS_TEXT}[^{{}}]*\}}")
 _SIGNS = re.compile(r"=|\\approx(?![A-Za-z])|&")
 # Angles are declared in radians.
 _MEANT = {"°": "rad"}

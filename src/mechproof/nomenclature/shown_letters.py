@@ -16,7 +16,7 @@ from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.name_table import INDEX, strip_braces
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import tokenize
-from mechproof.latex.words import ELSE, IF, to_text
+from mechproof.latex.words import ELSE, IF, OPENS_TEXT, to_text
 from mechproof.nomenclature.cells import name_unit
 from mechproof.nomenclature.defined_functions import find_defined
 from mechproof.nomenclature.guessed_letters import BRACKET, NAMES, NO_LETTER, REMEDIES, Guesses
@@ -59,7 +59,7 @@ _FRAMED = re.compile(
 _TABLE = re.compile(
     r"\\begin\{(?:array|matrix|aligned)\}(?:\{[lcr|]+\})?(?=[^&\\]*(?:_\{[^{}]*\}\s*)?=)"
 )
-_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{([^{}]*)\}")
+_WORDS = re.compile(rf"{OPENS_TEXT}([^{{}}]*)\}}")
 
 
 def name_symbol(latex: str) -> str:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.latex.latex_signs import SPACING, same_sign
 from mechproof.latex.printed_relations import RELATIONS
+from mechproof.latex.words import OPENS_TEXT, OPENS_UPRIGHT
 from mechproof.sources.located_text import LocatedText, join
 
 # Environments that only stack lines; between dollars, Markdown even has whole displays.
@@ -43,7 +44,7 @@ _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\d
 _CONTINUING = (*_RELATIONS, "+", r"\left.")
 # What may separate an equation from the range of its index.
 _BEFORE_RANGE = (
-    r"(?:\\q?quad|\\[,;: ]|~|,|\s|\\(?:text|mathrm|mbox)\s*\{\s*(?:for|with|where)\s*\}|\\forall)*"
+    rf"(?:\\q?quad|\\[,;: ]|~|,|\s|{OPENS_UPRIGHT}\s*(?:for|with|where)\s*\}}|\\forall)*"
 )
 _RANGE = re.compile(
     rf"{_BEFORE_RANGE}"
@@ -56,17 +57,17 @@ _LIST = re.compile(
 )
 # "For all x" says nothing of a letter that is real anyway; for i to n it may say that they count.
 _ALL = re.compile(
-    rf"{_BEFORE_RANGE}(?:\\forall|\\(?:text|mbox|textrm)\s*\{{\s*for (?:all|any|every)\s*\}})"
+    rf"{_BEFORE_RANGE}(?:\\forall|{OPENS_UPRIGHT}\s*for (?:all|any|every)\s*\}})"
     r"(?:\s|~|\\[,;: ])*(?:(?![i-n])[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{\w+\}))?\s*\Z"
 )
 _INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
-_TITLE_AT_START = re.compile(r"\A\s*(?:\\(?:text|mathrm|mbox)\s*\{[^{}]*\}|[A-Z])\s*:(?!\s*=)")
+_TITLE_AT_START = re.compile(rf"\A\s*(?:{OPENS_UPRIGHT}[^{{}}]*\}}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (
     *(r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to"),
     *(r"\Leftrightarrow", r"\Longleftrightarrow"),
 )
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
-_WORD = rf"\\(?:text|mbox|textrm|mathrm)\s*\{{[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
+_WORD = rf"{OPENS_UPRIGHT}[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _ARROW = "|".join(map(re.escape, _LEADS))
@@ -84,10 +85,9 @@ _BETWEEN = re.compile(_WORD)
 # Cases, whose conditions do not apply to the whole equation.
 _PIECES = re.compile(r"\\begin\s*\{(d?cases|array)\}.*?\\end\s*\{\1\}", re.DOTALL)
 # Words for a condition in brackets: \text{ring held }(n=0), \text{(ring held, }n=0).
-_TEXT = r"\\(?:text|mbox|textrm)\s*\{"
-_CLOSED = re.compile(rf"{_TEXT}\s*\)\s*\}}")
+_CLOSED = re.compile(rf"{OPENS_TEXT}\s*\)\s*\}}")
 _REMARK = re.compile(
-    rf"{_TEXT}(?P<words>[^{{}}()]*(?:\([^{{}}()]*\}}|\}}\s*\())(?=[^()]*(?:[=<>]|\\[gl]e)[^()]*\)\W*\Z)"
+    rf"{OPENS_TEXT}(?P<words>[^{{}}()]*(?:\([^{{}}()]*\}}|\}}\s*\())(?=[^()]*(?:[=<>]|\\[gl]e)[^()]*\)\W*\Z)"
 )
 # With one of these words the condition is a different one.
 _EXCLUDING = re.compile(
@@ -98,7 +98,7 @@ _EXCLUDING = re.compile(
 # Words after an equation, in brackets or after a gap.
 _BEHIND = re.compile(
     r"(?:\\q?quad(?:\s|\\[,;:! ]|~)*|(?:\\left)?\(\s*|(?=\\[a-z]+\s*\{\s*\())"
-    r"\\(?:text(?:rm|it|sf|bf)?|mbox|emph)\s*\{(?P<words>[^{}$\\<>=?]*)\}"
+    rf"{OPENS_TEXT}(?P<words>[^{{}}$\\<>=?]*)\}}"
     r"(?:\s*(?:\\right)?\))?[\s.,;~]*\Z"
 )
 # Such words are a remark if one of them is not a unit, and none denies or measures.
@@ -114,7 +114,7 @@ _DENYING = re.compile(
     re.IGNORECASE,
 )
 _VALUE = re.compile(r"(?:[1-9]|\d\.?0)\s*\Z")
-_CONDITION = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*(?:if|for|at|when|where|with)\b")
+_CONDITION = re.compile(rf"{OPENS_UPRIGHT}\s*(?:if|for|at|when|where|with)\b")
 
 
 def split_lines(body: LocatedText) -> list[LocatedText]:

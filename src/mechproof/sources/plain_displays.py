@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from mechproof.latex.sentences import find_brace
-from mechproof.latex.words import ITALICS
+from mechproof.latex.words import ITALICS, OPENS_TEXT, OPENS_UPRIGHT
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.macros import Macro
 
@@ -80,7 +80,7 @@ _ALIKE = tuple(
         (r"\\rbrace(?![A-Za-z])", r"\\}"),
         (r"\\begin\{array\}\s*\[[tcb]\]", r"\\begin{array}"),
         # A comma or a point in words.
-        (r"\\(?:text|textrm|mbox|mathrm)\s*\{[\s~]*(?P<mark>[.,;])[\s~]*\}", r"\g<mark> "),
+        (rf"{OPENS_UPRIGHT}[\s~]*(?P<mark>[.,;])[\s~]*\}}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
         # Matrices of the package physics in brackets: their rows are not those of the display.
         (rf"\\s?mqty\s*\((?P<rows>{_ROUND})\)", r"\\pmqty{\g<rows>}"),
@@ -98,7 +98,7 @@ _ALIKE = tuple(
 _WORDED = re.compile(r"\\begin\{d?cases\*\}.*?\\end\{d?cases\*\}", re.DOTALL)
 _CONDITION = re.compile(r"&((?:(?!\\\\|&|\\end\b).)*)", re.DOTALL)
 # Words with a formula among them.
-_MIXED_WORDS = re.compile(r"\\(?:text|textrm|mbox)\s*\{(?P<words>[^{}$]*\$(?:[^{}]|\{[^{}]*\})*)\}")
+_MIXED_WORDS = re.compile(rf"{OPENS_TEXT}(?P<words>[^{{}}$]*\$(?:[^{{}}]|\{{[^{{}}]*\}})*)\}}")
 _OVER = re.compile(r"\\over(?![A-Za-z])\s?")
 _BRACED = re.compile(r"\\(?:under|over)(?:brace|bracket)\s*(?=\{)")
 _SAID = re.compile(r"\s*[_^]\s*(?P<label>\{)\s*(?::?=:?|\\equiv|\\triangleq|\\coloneqq)")

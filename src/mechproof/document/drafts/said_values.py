@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from mechproof.document.example_values import find_example
+from mechproof.latex.words import OPENS_UPRIGHT
 from mechproof.nomenclature.inline import (
     CALL,
     EQUATION,
@@ -33,7 +34,7 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[
 _NEAR = 400
 # An equation in a sentence, after an introducing word or after another equation.
 _RELATION = re.compile(
-    r"\$(?P<left>[^$=]{2,80})=(?!\s*\\(?:mathrm|text|mbox)\s*\{\s*const)(?P<right>[^$=]{1,80})\$"
+    rf"\$(?P<left>[^$=]{{2,80}})=(?!\s*{OPENS_UPRIGHT}\s*const)(?P<right>[^$=]{{1,80}})\$"
     r"|\$[^$]*\$"
 )
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
