@@ -9,47 +9,16 @@ from pathlib import Path
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
 from mechproof.document.checked_rows import CheckedRow, list_standing, make_row, show_left
 from mechproof.document.constraints.consequences import GIVEN, ROOT
-from mechproof.document.context.accused_rows import doubt_by_proved, find_misprints
-from mechproof.document.context.constrained_rows import (
-    doubt_by_premises,
-    excuse_by_constraints,
-    follow_from_constraints,
-    solve_constraints,
-    support_steps,
+from mechproof.document.context import (
+    accused_rows,
+    constrained_rows,
+    doubted_letters,
+    doubts,
+    newer_prints,
+    restated_prints,
+    undeclared_motion,
+    values_at_places,
 )
-from mechproof.document.context.doubted_letters import (
-    EITHER,
-    doubt_by_examples,
-    doubt_by_frames,
-    doubt_by_lengths,
-    doubt_by_letters,
-    doubt_by_matrices,
-    doubt_by_rounded,
-)
-from mechproof.document.context.doubts import (
-    doubt_by_decimals,
-    doubt_by_factors,
-    doubt_by_indices,
-    doubt_by_positions,
-    doubt_by_rates,
-    doubt_by_unread,
-    doubt_conditions,
-    find_contradictions,
-    find_other_solutions,
-)
-from mechproof.document.context.newer_prints import compare_newer_prints, doubt_by_cases, find_roots
-from mechproof.document.context.restated_prints import (
-    compare_rates,
-    compare_restated,
-    describe_unlike,
-    doubt_by_restated,
-)
-from mechproof.document.context.undeclared_motion import (
-    doubt_by_motion,
-    doubt_by_stillness,
-    doubt_by_ties,
-)
-from mechproof.document.context.values_at_places import compare_at_places
 from mechproof.document.judging_workers import (
     COMPARED,
     LIMIT,
@@ -183,46 +152,12 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     opened[key] = tasks
     try:
         rows: dict[int, CheckedRow] = {}
-        at = Judging(key, tasks, rows, document.symbols, limit)
+        matrices = document.find_possible_matrices()
+        at = Judging(key, tasks, rows, document.symbols, limit, found, matrices)
         answers = at.ask(judge_row, [(n,) for n in range(len(tasks))])
         rows |= {n: make_row(tasks[n], answer) for (n,), answer in answers}
-        for change in (
-            *(_compare_members, follow_from_constraints, compare_rates, compare_restated),
-            *(excuse_by_constraints, support_steps, _compare_specially, solve_constraints),
-        ):
+        for change in _CHANGES:
             rows |= dict(change(at))
-        misprints = dict(find_misprints(at))
-        rows |= dict(_leave_open(at))
-        rows |= misprints
-        for doubt in (
-            *(doubt_by_proved, doubt_by_indices, doubt_by_decimals, doubt_by_rounded),
-            *(
-                doubt_by_rates,
-                doubt_by_factors,
-                doubt_by_lengths,
-                doubt_by_frames,
-                doubt_conditions,
-            ),
-        ):
-            rows |= dict(doubt(at))
-        unlike = dict(find_other_solutions(at))
-        unlike |= dict(find_roots(at))
-        rows |= unlike
-        rows |= dict(doubt_by_premises(at))
-        contested = {**misprints, **unlike, **dict(find_contradictions(at))}
-        rows |= contested
-        rows |= dict(compare_newer_prints(at, contested))
-        placed = dict(compare_at_places(at))
-        placed = {n: row for n, row in placed.items() if n not in contested}
-        rows |= placed
-        rows |= dict(doubt_by_letters(at, contested))
-        rows |= dict(doubt_by_positions(at))
-        rows |= dict(doubt_by_unread(at, found))
-        rows |= dict(doubt_by_cases(at))
-        rows |= {n: row for n, row in doubt_by_ties(at) if n not in placed}
-        for doubt in (doubt_by_motion, doubt_by_stillness, doubt_by_examples, doubt_by_restated):
-            rows |= dict(doubt(at))
-        rows |= dict(doubt_by_matrices(at, document.find_possible_matrices()))
     finally:
         del opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
@@ -231,6 +166,14 @@ def _check(key: Key, limit: float, report: Callable[[str], None]) -> CheckedPape
     missing, told = tuple(source.missing), tuple(document.told)
     names = tuple(dict.fromkeys(printed.name for printed in document.printed))
     return CheckedPaper(path, shown, paper, document.taken, missing, told, names)
+
+
+def _accuse(at: Judging) -> Changes:
+    """Find the misprints before rows are left open, and keep them."""
+    misprints = dict(accused_rows.find_misprints(at))
+    yield from _leave_open(at)
+    yield from misprints.items()
+    at.contested.update(misprints)
 
 
 def _leave_open(at: Judging) -> Changes:
@@ -245,11 +188,25 @@ def _leave_open(at: Judging) -> Changes:
             continue
         if task.sign.role in COMPARED:
             is_said = UNLIKE in found.reason or ROOT in found.reason
-            yield number, make_row(task, found.reason if is_said else describe_unlike(task))
+            reason = found.reason if is_said else restated_prints.describe_unlike(task)
+            yield number, make_row(task, reason)
         elif task.is_indexed:
             yield number, make_row(task, "it was not shown that the bracket has this value there")
         elif task.is_either:
-            yield number, make_row(task, EITHER)
+            yield number, make_row(task, doubted_letters.EITHER)
+
+
+def _find_unlike(at: Judging) -> Changes:
+    """Leave open prints that may be other solutions, or other roots."""
+    unlike = dict(doubts.find_other_solutions(at)) | dict(newer_prints.find_roots(at))
+    at.contested.update(unlike)
+    yield from unlike.items()
+
+
+def _contest(at: Judging) -> Changes:
+    """Leave open contradictions, and all that was contested before, whatever was found since."""
+    at.contested.update(doubts.find_contradictions(at))
+    yield from at.contested.items()
 
 
 def _compare_members(at: Judging) -> Changes:
@@ -294,3 +251,22 @@ def _is_special(task: Task, kind: str, at: Judging, number: int) -> bool:
     # A row that may be another case of a definition may be the case that the words state.
     is_open = is_open or task.is_solution
     return bool(is_open) and special is not None and special.row.says != task.row.says
+
+
+# All changes of rows after these are judged one by one, in their order.
+_CHANGES: tuple[Callable[[Judging], Changes], ...] = (
+    *(_compare_members, constrained_rows.follow_from_constraints),
+    *(restated_prints.compare_rates, restated_prints.compare_restated),
+    *(constrained_rows.excuse_by_constraints, constrained_rows.support_steps),
+    *(_compare_specially, constrained_rows.solve_constraints, _accuse),
+    *(accused_rows.doubt_by_proved, doubts.doubt_by_indices, doubts.doubt_by_decimals),
+    *(doubted_letters.doubt_by_rounded, doubts.doubt_by_rates, doubts.doubt_by_factors),
+    *(doubted_letters.doubt_by_lengths, doubted_letters.doubt_by_frames),
+    *(doubts.doubt_conditions, _find_unlike, constrained_rows.doubt_by_premises, _contest),
+    *(newer_prints.compare_newer_prints, values_at_places.compare_at_places),
+    *(doubted_letters.doubt_by_letters, doubts.doubt_by_positions, doubts.doubt_by_unread),
+    *(newer_prints.doubt_by_cases, undeclared_motion.doubt_by_ties),
+    *(undeclared_motion.doubt_by_motion, undeclared_motion.doubt_by_stillness),
+    *(doubted_letters.doubt_by_examples, restated_prints.doubt_by_restated),
+    doubted_letters.doubt_by_matrices,
+)

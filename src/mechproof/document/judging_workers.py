@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -301,13 +301,22 @@ def judge_members(
 
 @dataclass(frozen=True)
 class Judging:
-    """The tasks of a paper, the rows judged so far, and the seconds allowed for each judgement."""
+    """The tasks of a paper, the rows judged so far, and the seconds allowed for each judgement.
+
+    `found` has the rows that were not read, too, and `matrices` the letters shown as matrices are.
+    `contested` has the misprints and the rows that contradict each other, `placed` the numbers of
+    those judged at a place.
+    """
 
     key: Key
     tasks: list[Task]
     rows: dict[int, CheckedRow]
     symbols: Symbols
     limit: float
+    found: Sequence[Task | Left]
+    matrices: Mapping[sp.Basic, str]
+    contested: dict[int, CheckedRow] = field(default_factory=dict)
+    placed: set[int] = field(default_factory=set)
 
     def ask(
         self, judge: Callable[..., Any], asked: Sequence[tuple[Any, ...]]

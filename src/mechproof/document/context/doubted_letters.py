@@ -8,7 +8,7 @@ as numbers, which commute and have no inverse but 1/x, so that rows with them ar
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -51,16 +51,16 @@ EITHER = (
 _OPEN = (Verdict.UNDECIDED.value, Verdict.ENCLOSED.value)
 
 
-def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Changes:
+def doubt_by_letters(at: Judging) -> Changes:
     """Refute no row by a letter whose definition may be wrong or may hold in one case only.
 
     A definition that is printed later may belong to another case, so no condition is proved by one,
     either. Rows that such definitions leave undecided, or give other letters, may be decided
-    without them. `contested` has the misprints and the rows that contradict each other.
+    without them.
     """
     tasks, rows = at.tasks, at.rows
-    doubted = [*_list_doubted(at, contested)]
-    free = [n for n in rows if n not in contested or rows[n].state is not State.NOT_JUDGED]
+    doubted = [*_list_doubted(at)]
+    free = [n for n in rows if n not in at.contested or rows[n].state is not State.NOT_JUDGED]
     found = {n: one for n in free if (one := _find_doubts(n, at, doubted))}
     asked = [(n, _list_letters(one, at.symbols)) for n, one in found.items()]
     for (n, _), answer in at.ask(judge_without, asked):
@@ -75,10 +75,10 @@ def doubt_by_letters(at: Judging, contested: Mapping[int, CheckedRow]) -> Change
             yield n, make_row(tasks[n], f"{first}, but rests on {names}, which {why}")
 
 
-def _list_doubted(at: Judging, contested: Mapping[int, CheckedRow]) -> Iterator[Task]:
+def _list_doubted(at: Judging) -> Iterator[Task]:
     """Yield definitions that are refuted, ill-formed, or may be wrong."""
     unfit = {n: row for n, row in at.rows.items() if row.outcome == Verdict.ILL_FORMED.value}
-    for n, row in sorted({**contested, **unfit}.items()):
+    for n, row in sorted({**at.contested, **unfit}.items()):
         is_wrong = row.outcome in (Verdict.REFUTED.value, Verdict.ILL_FORMED.value)
         task, is_open = at.tasks[n], row.state is State.NOT_JUDGED
         if task.sign.role is Role.DEFINITION and (is_wrong or is_open):
@@ -168,8 +168,9 @@ def _may_be_local(task: Task, row: CheckedRow) -> bool:
     return is_open and task.local is not None and task.local.row.says != task.row.says
 
 
-def doubt_by_matrices(at: Judging, shown: Mapping[sp.Basic, str]) -> Changes:
-    """Neither prove nor refute rows with letters that are `shown` the way matrices are."""
+def doubt_by_matrices(at: Judging) -> Changes:
+    """Neither prove nor refute rows with letters that are shown the way matrices are."""
+    shown = at.matrices
     for n, task in enumerate(at.tasks):
         outcome = at.rows[n].outcome
         if outcome not in (Verdict.PROVED.value, Verdict.REFUTED.value) or not shown:

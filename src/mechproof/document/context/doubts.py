@@ -201,9 +201,9 @@ def doubt_by_positions(at: Judging) -> Changes:
             yield n, make_row(task, reason)
 
 
-def doubt_by_unread(at: Judging, found: Sequence[Task | Left]) -> Changes:
+def doubt_by_unread(at: Judging) -> Changes:
     """Leave open a row if an unread equation in between may redefine one of its letters."""
-    unread = _list_unread(found)
+    unread = _list_unread(at.found)
     for n, task in enumerate(at.tasks):
         is_certain = at.rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
         if not (is_certain and unread):

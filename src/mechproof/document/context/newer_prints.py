@@ -8,7 +8,7 @@ otherwise it is left open. A print that differs, but solves the same equation, i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any
@@ -92,10 +92,10 @@ def judge_root(
     return "it is true with any value" if is_free else found
 
 
-def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
+def compare_newer_prints(at: Judging) -> Changes:
     """Judge again rows that rest on a letter printed anew before them, with the new print.
 
-    Rows left open because they are `contested` stay open.
+    Rows left open because they are contested stay open.
     """
     tasks, rows, asked = at.tasks, at.rows, []
     for n, task in enumerate(tasks):
@@ -105,7 +105,7 @@ def compare_newer_prints(at: Judging, contested: Collection[int]) -> Changes:
         used = list_reached(letters, list_given(task.paper.variables)) if newer else ()
         newer = _list_last([m for m in newer if tasks[m].anew.keys() & {*used}], tasks)
         is_said = task.is_claimed or task.follows
-        is_open = n in contested and rows[n].state is State.NOT_JUDGED
+        is_open = n in at.contested and rows[n].state is State.NOT_JUDGED
         if newer and rows[n].outcome == Verdict.PROVED.value:
             is_open |= rows[n].reason.endswith(f"compared with {tasks[newer[-1]].row.number}")
         differs = rows[n].state is State.NOT_JUDGED and task.sign.role in COMPARED

@@ -99,7 +99,8 @@ def doubt_by_ties(at: Judging) -> Changes:
                 reasons.append(_describe_tie(given, min(map(str, met)), by))
         if reasons and task.sign.role is Role.DEFINITION and task.sign.letter is not None:
             held.setdefault(task.sign.letter, reasons[0])
-        if reasons and rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value):
+        is_certain = rows[n].outcome in (Verdict.PROVED.value, Verdict.REFUTED.value)
+        if reasons and is_certain and n not in at.placed:
             yield n, make_row(task, reasons[0])
 
 

@@ -47,7 +47,14 @@ def compare_at_places(at: Judging) -> Changes:
     """Judge values at a place, with tied letters solved for there, or give a reason why not.
 
     The print that is compared with the value must have no letter that moves with the one put in.
+    Rows left open because they are contested stay open.
     """
+    changed = {n: row for n, row in _compare_at_places(at) if n not in at.contested}
+    at.placed.update(changed)
+    yield from changed.items()
+
+
+def _compare_at_places(at: Judging) -> Changes:
     tasks, rows, symbols = at.tasks, at.rows, at.symbols
     given = [n for n, task in enumerate(tasks) if is_constraint(task, rows[n])]
     met = {s for n in given for s in list_letters(tasks[n])}
