@@ -7,16 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from mechproof.latex import tree
 from mechproof.latex.matrix_meaning import is_matrix
-from mechproof.latex.tree import (
-    Approach,
-    At,
-    Derivation,
-    Integration,
-    Letter,
-    Repeated,
-    walk,
-)
 from mechproof.latex.values import (
     depends,
     has_value,
@@ -35,13 +27,13 @@ if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
 # Nodes that bind a variable of their own.
-BINDING = (Approach, At, Derivation, Integration, Repeated)
+BINDING = (tree.Approach, tree.At, tree.Derivation, tree.Integration, tree.Repeated)
 # Nodes whose variable runs through an interval, where cancelled divisors can vanish only at
 # isolated points.
-RUNNING = (Approach, Derivation, Integration)
+RUNNING = (tree.Approach, tree.Derivation, tree.Integration)
 
 
-def give_repeated(meaning: Meaning, node: Repeated) -> sp.Basic:
+def give_repeated(meaning: Meaning, node: tree.Repeated) -> sp.Basic:
     """Return a sum or a product over an index.
 
     A divisor that the term cancels may vanish at a whole number, so the term requires it to be
@@ -77,7 +69,7 @@ def list_lost(divisors: Mapping[sp.Expr, sp.Expr], value: Any) -> Iterator[sp.Ex
                 yield factor
 
 
-def give_integral(meaning: Meaning, node: Integration) -> sp.Basic:
+def give_integral(meaning: Meaning, node: tree.Integration) -> sp.Basic:
     """Return an integral, from the declared lower limit if no limits are printed."""
     integrand = meaning.take_number(node.integrand, meaning.side(node.integrand))
     if node.differential is None:
@@ -112,7 +104,7 @@ def _take_range(integrand: sp.Expr, variable: sp.Symbol, low: sp.Expr, high: sp.
     )
 
 
-def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
+def give_limit(meaning: Meaning, node: tree.Approach) -> sp.Expr:
     """Return a limit with its variable bound."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
     is_inside = any(depends(s, {variable}, meaning.values) for s in point.free_symbols)
@@ -130,7 +122,7 @@ def give_limit(meaning: Meaning, node: Approach) -> sp.Expr:
     return sp.Limit(inside, running, point, node.side)
 
 
-def give_value(meaning: Meaning, node: At) -> sp.Expr:
+def give_value(meaning: Meaning, node: tree.At) -> sp.Expr:
     """Return the value of a term at a given value of a letter."""
     variable, point = meaning.letter(node.by), meaning.of(node.point)
     if node.is_found and variable in meaning.values:
@@ -141,7 +133,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
         )
     before = {*meaning.lost}
     term = meaning.side(node.term)
-    if not isinstance(node.term, Letter) and not isinstance(term, sp.MatrixBase):
+    if not isinstance(node.term, tree.Letter) and not isinstance(term, sp.MatrixBase):
         term = meaning.take_number(node.term, term)
     if any(factor.subs(variable, point) == 0 for factor in meaning.lost.keys() - before):
         raise meaning.source.refuse(node.start, "this divides by zero there")
@@ -154,7 +146,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
     known = meaning.values.keys() & {rate for _, *rates in all_steps for rate in rates}
     even = {s for s in known if not moving & settle_all(s, meaning.values).free_symbols}
     unknown = (moving & value.free_symbols or {value} & {term}) - even
-    if isinstance(node.term, Letter) and is_matrix(value):
+    if isinstance(node.term, tree.Letter) and is_matrix(value):
         unknown, is_open = {node.term.symbol}, value == term
     else:
         is_open = bool(unknown) and (value.is_Symbol or not unknown <= {value})
@@ -168,7 +160,7 @@ def give_value(meaning: Meaning, node: At) -> sp.Expr:
 
 
 def _check_seams(
-    meaning: Meaning, node: At, steps: tuple[sp.Basic, ...], said: tuple[sp.Expr, sp.Expr]
+    meaning: Meaning, node: tree.At, steps: tuple[sp.Basic, ...], said: tuple[sp.Expr, sp.Expr]
 ) -> None:
     """Refuse the derivative of a letter at a point where its pieces meet but do not join."""
     term, point = said
@@ -183,7 +175,7 @@ def _check_seams(
 
 
 def _bind(
-    meaning: Meaning, node: Integration, integrand: sp.Expr, variable: sp.Expr
+    meaning: Meaning, node: tree.Integration, integrand: sp.Expr, variable: sp.Expr
 ) -> tuple[sp.Dummy, sp.Expr]:
     """Return a bound variable and the integrand in it; refuse other letters that move with it."""
     place = node.differential.start if node.differential else node.start
@@ -213,14 +205,14 @@ def _bind(
     return running, inside
 
 
-def _find_argument(meaning: Meaning, node: Integration, variable: sp.Basic) -> sp.Basic:
+def _find_argument(meaning: Meaning, node: tree.Integration, variable: sp.Basic) -> sp.Basic:
     r"""Return the letter in whose place the variable of integration is put into the integrand.
 
     In \int_0^t\dot x\,d\tau that is t: x depends on it, and \tau appears nowhere else.
     """
-    printed = {part.symbol for part in walk(node.integrand) if isinstance(part, Letter)}
+    printed = {part.symbol for part in tree.walk(node.integrand) if isinstance(part, tree.Letter)}
     is_said = variable in meaning.values or variable in meaning.moving
-    end = node.high.symbol if isinstance(node.high, Letter) and not is_said else variable
+    end = node.high.symbol if isinstance(node.high, tree.Letter) and not is_said else variable
     reached = list_reached(printed, meaning.values)
     if variable in reached or end in printed or printed & list_moving(variable, meaning.moving):
         return variable

@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from mechproof.latex.tree import (
-    Derivation,
-    Letter,
-    Node,
-    walk,
-)
+from mechproof.latex import tree
 from mechproof.latex.values import (
     OF_SIGNS,
     UNSMOOTH,
@@ -28,7 +23,7 @@ if TYPE_CHECKING:
     from mechproof.latex.meaning import Meaning
 
 
-def give_derivative(meaning: Meaning, node: Derivation) -> Any:
+def give_derivative(meaning: Meaning, node: tree.Derivation) -> Any:
     """Return a derivative, evaluated, defined where the differentiated expression has a value.
 
     The derivative of one column by another has a row for each entry of the former (numerator
@@ -43,7 +38,7 @@ def give_derivative(meaning: Meaning, node: Derivation) -> Any:
     return _differentiate(meaning, node, printed, variable)
 
 
-def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: Any) -> Any:
+def _differentiate(meaning: Meaning, node: tree.Derivation, printed: Any, variable: Any) -> Any:
     is_given = variable in meaning.values and not node.is_partial
     if is_given and (along := meaning.parameters.get(variable)):
         return _differentiate_along(meaning, node, printed, variable, along)
@@ -78,18 +73,18 @@ def _differentiate(meaning: Meaning, node: Derivation, printed: Any, variable: A
     return _give_rate(meaning, node, needed, variable, depends_on)
 
 
-def _advise_dependence(meaning: Meaning, node: Derivation) -> str:
+def _advise_dependence(meaning: Meaning, node: tree.Derivation) -> str:
     """Return advice on declaring that the differentiated expression depends on the letter."""
     latex = meaning.source.latex[node.start : node.end]
     if latex.endswith("'"):
         return "Print the derivatives of the letters that depend on it: u' next to u."
-    letters = [part.text for part in walk(node.of) if isinstance(part, Letter)]
+    letters = [part.text for part in tree.walk(node.of) if isinstance(part, tree.Letter)]
     says = meaning.remedies.depends.format(letters[-1], node.by.text)
     return f"{'' if node.is_partial else f'{says} '}{meaning.remedies.name.format(latex)}"
 
 
 def _differentiate_along(
-    meaning: Meaning, node: Derivation, printed: sp.Expr, variable: sp.Symbol, along: sp.Symbol
+    meaning: Meaning, node: tree.Derivation, printed: sp.Expr, variable: sp.Symbol, along: sp.Symbol
 ) -> sp.Expr:
     """Return the derivative dy/dx of a curve y(t), x(t), defined where x(t) is not stationary."""
     needed, place = (settle_all(part, meaning.values) for part in (printed, variable))
@@ -106,7 +101,7 @@ def _differentiate_along(
 
 def _give_rate(
     meaning: Meaning,
-    node: Derivation,
+    node: tree.Derivation,
     needed: sp.Expr,
     variable: sp.Symbol,
     depends_on: set[sp.Basic],
@@ -134,7 +129,11 @@ def _give_rate(
 
 
 def _give_any(
-    meaning: Meaning, printed: Node, value: sp.Expr, variable: sp.Symbol, depends_on: set[sp.Basic]
+    meaning: Meaning,
+    printed: tree.Node,
+    value: sp.Expr,
+    variable: sp.Symbol,
+    depends_on: set[sp.Basic],
 ) -> sp.Expr:
     """Return a derivative of symbolic order; only the variable may move in its operand."""
     order = meaning.of(printed)
