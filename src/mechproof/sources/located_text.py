@@ -44,13 +44,20 @@ class LocatedText:
         kept += "." if kept.endswith(r"\right") and self.string[len(kept) :][:1] == "." else ""
         return self[len(kept) - len(kept.lstrip()) : len(kept)]
 
-    def replace(self, pattern: Pattern[str], make: Callable[[Match[str]], str]) -> LocatedText:
-        """Replace matches by other characters, which are located where their match begins."""
+    def replace(
+        self, pattern: Pattern[str], make: Callable[[Match[str]], str | LocatedText | None]
+    ) -> LocatedText:
+        """Replace matches by other characters, which are located where their match begins.
+
+        A match is kept if `make` returns None for it; located characters keep their places.
+        """
         parts, last = [], 0
         for match in pattern.finditer(self.string):
-            parts.append(self[last : match.start()])
-            parts.append(self.put(make(match), match.start()))
-            last = match.end()
+            made = make(match)
+            if made is not None:
+                made = self.put(made, match.start()) if isinstance(made, str) else made
+                parts += [self[last : match.start()], made]
+                last = match.end()
         return join([*parts, self[last:]])
 
     def put(self, string: str, place: int) -> LocatedText:

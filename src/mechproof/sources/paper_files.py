@@ -34,7 +34,7 @@ _VERB = re.compile(
 _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
 # A fenced formula is a display.
-_MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
+_MATH = re.compile(r"^```math\s*$(?P<body>.*?)^```\s*$", re.DOTALL | re.MULTILINE)
 # So is a directive, whose option lines may contain a label; comments are matched to skip them.
 _DIRECTIVE = re.compile(
     r"<!--.*?-->|^[ \t]*(?P<fence>`{3,}|:{3,})\{math\}[ \t]*$"
@@ -44,7 +44,7 @@ _DIRECTIVE = re.compile(
 _LABELLED = re.compile(r":label:[ \t]*(\S+)")
 _REFERENCE = re.compile(r"\{eq\}`([^`<>]+)`")
 # A formula on a line of its own is a display.
-_ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
+_ALONE = re.compile(r"^\s*\$(?!\$)(?P<body>[^$\n]+)\$\s*$", re.MULTILINE)
 # A backslash that keeps Markdown from reading emphasis.
 _ESCAPED = re.compile(r"\\(_)")
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
@@ -130,7 +130,8 @@ def _read(name: str, content: str, source: Source, above: tuple[str, ...]) -> Lo
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
-        shown = _show_directives(text.replace(_BLOCK, lambda match: "\n"))
+        shown = _show(text.replace(_BLOCK, lambda match: "\n"), _DIRECTIVE)
+        shown = shown.replace(_REFERENCE, lambda match: rf"\eqref{{{match[1]}}}")
         shown = _show(shown, _MATH)
         shown = shown.replace(_FENCE, lambda match: "\n")
         return _show(shown.replace(_ESCAPED, lambda match: match[1]), _ALONE)
@@ -170,28 +171,18 @@ def _drop_false(text: LocatedText) -> LocatedText:
 
 
 def _show(text: LocatedText, pattern: re.Pattern[str]) -> LocatedText:
-    """Turn the first group of each match of a pattern into a display between dollars."""
-    parts, last = [], 0
-    for match in pattern.finditer(text.string):
-        parts += [text[last : match.start()], text.put("$$", match.start())]
-        parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1) - 1)]
-        last = match.end()
-    return join([*parts, text[last:]])
+    """Turn the body of each match of a pattern into a display between dollars, with its label."""
 
-
-def _show_directives(text: LocatedText) -> LocatedText:
-    r"""Write the formulas of directives as displays with their labels, and references as \eqref."""
-    parts, last = [], 0
-    for match in _DIRECTIVE.finditer(text.string):
-        if not match["fence"]:
-            continue
-        label = _LABELLED.search(match["options"])
+    def show(match: re.Match[str]) -> LocatedText | None:
+        found = match.groupdict()
+        if found["body"] is None:
+            return None
+        label = _LABELLED.search(found.get("options") or "")
         head = f"$$\\label{{{label[1]}}}" if label else "$$"
-        parts += [text[last : match.start()], text.put(head, match.start())]
-        parts += [text[match.start("body") : match.end("body")], text.put("$$", match.end() - 1)]
-        last = match.end()
-    shown = join([*parts, text[last:]])
-    return shown.replace(_REFERENCE, lambda match: rf"\eqref{{{match[1]}}}")
+        body = text[match.start("body") : match.end("body")]
+        return join([text.put(head, match.start()), body, text.put("$$", match.end("body") - 1)])
+
+    return text.replace(pattern, show)
 
 
 def _take_lines(block: LocatedText, source: Source) -> None:
@@ -205,14 +196,12 @@ def _take_lines(block: LocatedText, source: Source) -> None:
 
 
 def _insert(text: LocatedText, source: Source, above: tuple[str, ...]) -> LocatedText:
-    parts, last = [], 0
-    for match in _INPUT.finditer(text.string):
-        parts.append(text[last : match.start()])
-        last = match.end()
+    def insert(match: re.Match[str]) -> str | LocatedText:
         place = source.files.locate(text.offsets[match.start()])
-        if file := _find(match[1], above, place, source):
-            parts.append(_read(str(file), _open(file), source, above))
-    return join([*parts, text[last:]])
+        file = _find(match[1], above, place, source)
+        return _read(str(file), _open(file), source, above) if file else ""
+
+    return text.replace(_INPUT, insert)
 
 
 def _find(name: str, above: tuple[str, ...], place: Place, source: Source) -> Path | None:

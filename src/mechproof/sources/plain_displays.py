@@ -118,21 +118,20 @@ class _Frame:
 
 def write_frames(text: LocatedText) -> LocatedText:
     """Return a text with packages' environments around displays replaced by those of amsmath."""
-    parts, last, opened = [], 0, list[tuple[_Frame, int]]()
-    for match in _FRAME.finditer(text.string):
+    opened: list[tuple[_Frame, int]] = []
+
+    def write(match: re.Match[str]) -> str | None:
         if not match["end"]:
             opened.append((_write_frame(match), match.end()))
-            written = opened[-1][0].head
-        elif opened:
-            frame, start = opened.pop()
-            more = _count_rows(text.string[start : match.start()]) - 1
-            step = rf"\addtocounter{{equation}}{{{more}}}" if frame.has_numbered_rows else ""
-            written = frame.tail + step
-        else:
-            continue
-        parts += [text[last : match.start()], text.put(written, match.start())]
-        last = match.end()
-    return join([*parts, text[last:]])
+            return opened[-1][0].head
+        if not opened:
+            return None
+        frame, start = opened.pop()
+        more = _count_rows(text.string[start : match.start()]) - 1
+        step = rf"\addtocounter{{equation}}{{{more}}}" if frame.has_numbered_rows else ""
+        return frame.tail + step
+
+    return text.replace(_FRAME, write)
 
 
 def _write_frame(match: re.Match[str]) -> _Frame:
@@ -165,7 +164,7 @@ def write_plainly(body: LocatedText) -> LocatedText:
     for pattern, written in _ALIKE:
         body = body.replace(pattern, partial(_write, written))
     body = body.replace(_MIXED_WORDS, lambda found: _part_words(found["words"]))
-    return _write_fractions(join(list(_write_conditions(body))))
+    return _write_fractions(_write_conditions(body))
 
 
 def list_braced(latex: LocatedText) -> Iterator[LocatedText]:
@@ -184,15 +183,14 @@ def _write(written: str, match: re.Match[str]) -> str:
     return match["kept"] or match.expand(written)
 
 
-def _write_conditions(body: LocatedText) -> Iterator[LocatedText]:
+def _write_conditions(body: LocatedText) -> LocatedText:
     r"""Write the second column of cases, words with formulas, as formulas with \text."""
-    last = 0
-    for match in _WORDED.finditer(body.string):
-        yield body[last : match.start()]
-        cases = body[match.start() : match.end()]
-        yield cases.replace(_CONDITION, lambda found: f"&{_part_words(found[1])}")
-        last = match.end()
-    yield body[last:]
+
+    def write(cases: re.Match[str]) -> LocatedText:
+        inside = body[cases.start() : cases.end()]
+        return inside.replace(_CONDITION, lambda found: f"&{_part_words(found[1])}")
+
+    return body.replace(_WORDED, write)
 
 
 def _part_words(text: str) -> str:
