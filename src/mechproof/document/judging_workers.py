@@ -38,7 +38,6 @@ from mechproof.proof.refutation import are_seen_to_differ
 from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import Definition, Equality, Holds, Nearly, PrintedNumber, RecordError
 from mechproof.sources.paper_files import read_source
-from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import run_tasks
 
 # The end of a row's name if the row is one sign of a chain.
@@ -135,7 +134,7 @@ def judge_without(
         return None
     try:
         found = judge(task.row, task.paper)
-        sides = [*map(Domain.of(task.paper, task.row.on).resolve, task.sign.sides)]
+        sides = [*map(task.domain.resolve, task.sign.sides)]
     except (RecordError, ContradictionError, TypeError):
         return None
     is_compared = task.asserts or task.sign.role in COMPARED
@@ -204,10 +203,9 @@ def _judge_alone(task: Task) -> Judgement | str:
 def _prove_in_letters(task: Task) -> Judgement | None:
     """Judge an equation before all definitions are put in; None unless it is proved."""
     for one in list_shallow(task):
-        domain = Domain.of(one.paper, one.row.on)
         says = one.row.says
         sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
-        if sides and not any(map(is_matrix, sides)) and not are_seen_to_differ(sides, domain):
+        if sides and not any(map(is_matrix, sides)) and not are_seen_to_differ(sides, one.domain):
             found = judge(one.row, one.paper)
             if found.verdict is Verdict.PROVED:
                 return found

@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -20,6 +21,7 @@ from mechproof.record import Paper, PrintedNumber, Row, list_given
 from mechproof.record.statements import list_letters
 from mechproof.sources.announcements import NOTHING, Announced
 from mechproof.sources.located_text import Place
+from mechproof.statement_domains.domain import Domain
 
 EQUAL = ("=", r"\equiv")
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
@@ -148,6 +150,11 @@ class Task:
     rests_on: tuple[str, str] = ("", "")
     lacking: str = ""
     mixed: tuple[sp.Expr, Paper] | None = None
+
+    @cached_property
+    def domain(self) -> Domain:
+        """Return the values that its letters may have."""
+        return Domain.of(self.paper, self.row.on)
 
     @property
     def is_rounded(self) -> bool:

@@ -38,11 +38,10 @@ _ACUTE = sp.Interval.open(0, sp.pi / 2)
 
 def describe_never_true(task: Task, reason: str) -> str:
     """Return the reason that a row is proved to be true nowhere, or ""."""
-    domain = Domain.of(task.paper, task.row.on)
-    if said := next(_list_false_entries(task, domain), ""):
-        beside = WITH_DEFINITIONS if task.sign.printed & domain.given.keys() else ""
+    if said := next(_list_false_entries(task, task.domain), ""):
+        beside = WITH_DEFINITIONS if task.sign.printed & task.domain.given.keys() else ""
         return f"it is never true{beside}: {said}"
-    if not _is_nowhere_true(task, domain):
+    if not _is_nowhere_true(task, task.domain):
         return ""
     beside = WITH_DEFINITIONS if _is_true_alone(task) else ""
     return f"it is never true{beside}: {reason}"
@@ -52,7 +51,7 @@ def _is_true_alone(task: Task) -> bool:
     """Return whether a row that is true nowhere may be true without the definitions it uses."""
     if not isinstance(task.row.says, Holds):
         return decide_alone(task, lambda *sides: Holds(sp.Ne(*sides, evaluate=False))) is False
-    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    domain = replace(task.domain, given={})
     return decide(Holds(sp.Not(task.row.says.relation)), domain).verdict is not Verdict.PROVED
 
 
@@ -106,7 +105,7 @@ def decide_alone(task: Task, state: Callable[..., Statement]) -> bool | None:
     one, other = task.sign.sides
     if not (isinstance(one, sp.Expr) and isinstance(other, sp.Expr)):
         return None
-    domain = replace(Domain.of(task.paper, task.row.on), given={})
+    domain = replace(task.domain, given={})
     return decide(state(one, other), domain).verdict is Verdict.PROVED
 
 
@@ -115,7 +114,7 @@ def list_shallow(task: Task) -> Iterator[Task]:
 
     What holds whatever defines the letters is found sooner there than with all definitions put in.
     """
-    sides, given = task.sign.sides, Domain.of(task.paper, task.row.on).given
+    sides, given = task.sign.sides, task.domain.given
     if not (isinstance(task.row.says, Equality) and all(isinstance(x, sp.Expr) for x in sides)):
         return
     free = tuple(replace(v, given=None) for v in task.paper.variables)
@@ -141,7 +140,7 @@ def find_relations(task: Task) -> str:
 
 
 def _find_relations(task: Task) -> str:
-    free = Domain.of(task.paper, task.row.on)
+    free = task.domain
     met = sorted(list_letters(task), key=str)
     letters = [s for s in met if free.within.get(s) == sp.S.Reals]
     turning = {s for f in _list_turning(task) for s in f.args[0].free_symbols}
@@ -161,7 +160,7 @@ def _find_relations(task: Task) -> str:
 
 def _ask_sign(task: Task) -> str:
     """Return the condition that the other side of a root is not negative, if a row needs it."""
-    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    says, domain = task.row.says, task.domain
     sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
     for root, other in permutations(sides, 2):
         resolved = domain.resolve(root)

@@ -44,7 +44,7 @@ def find_consequence(task: Task, others: Sequence[Task]) -> tuple[Verdict, str, 
     A constraint proves something only if it holds at some point of the domain. Returns the verdict,
     the rung and the reason, or None.
     """
-    domain = Domain.of(task.paper, task.row.on)
+    domain = task.domain
     task, *others = (
         replace(one, residual=_split_roots(sp.sympify(one.residual), domain))
         for one in (task, *others)
@@ -80,7 +80,7 @@ def list_letters(task: Task) -> set[sp.Basic]:
     """Return the letters of a row's residual, or of the equations that it consists of."""
     if task.residual is not None:
         return set(task.residual.free_symbols)
-    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    says, domain = task.row.says, task.domain
     parts = says.parts if isinstance(says, Conjunction) else (says,)
     sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
     return {letter for side in sides for letter in domain.resolve(side).free_symbols}

@@ -111,8 +111,7 @@ def _compare(task: Task, given: Sequence[Task], found: Judgement) -> Judgement |
         verdict, rung, reason = consequence
         return replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())
     residuals = [sp.sympify(t.residual) for t in (task, *given)]
-    domain = Domain.of(task.paper, task.row.on)
-    solution = _solve(residuals[1:], _list_free(task.paper), _Divisors.of(residuals, domain))
+    solution = _solve(residuals[1:], _list_free(task.paper), _Divisors.of(residuals, task.domain))
     if solution is None:
         return f"{names} cannot be solved for letters that appear in no other equation"
     values, is_everywhere = solution

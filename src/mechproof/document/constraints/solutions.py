@@ -90,7 +90,7 @@ def are_exchanged(task: Task) -> bool:
         return False
     if not any(side.has(SIGN) for side in sides):
         return False
-    domain = Domain.of(task.paper, task.row.on)
+    domain = task.domain
     left, right = map(_choose, sides)
     return (
         decide(_state_step(left, right[::-1], domain.dimensions), domain).verdict is Verdict.PROVED
@@ -99,7 +99,7 @@ def are_exchanged(task: Task) -> bool:
 
 def judge_angles(task: Task) -> Judgement | None:
     """Judge two unequal angles by their directions; None if these differ."""
-    says, domain = task.row.says, Domain.of(task.paper, task.row.on)
+    says, domain = task.row.says, task.domain
     if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
         return None
     if not is_angle((says.printed, says.rebuilt), domain.dimensions):
@@ -112,7 +112,7 @@ def judge_angles(task: Task) -> Judgement | None:
 
 def judge_signs(task: Task, found: Judgement) -> Judgement | str:
     """Judge a print with a double sign of which one sign or the other holds everywhere."""
-    domain = Domain.of(task.paper, task.row.on)
+    domain = task.domain
     each = Solutions(*task.sign.sides).state_each(domain.dimensions)
     if any(decide(says, domain).verdict in (Verdict.PROVED, Verdict.DEFINITION) for says in each):
         return "one of its signs is printed elsewhere; nothing is known about the other"

@@ -41,7 +41,7 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
-from mechproof.statement_domains.domain import EMPTY, Domain
+from mechproof.statement_domains.domain import EMPTY
 
 # Why a row with the same letters on both sides is left open.
 EITHER = (
@@ -210,7 +210,7 @@ def doubt_by_frames(at: Judging) -> Changes:
 def _may_turn(tasks: Sequence[Task], number: int, before: sp.Basic) -> bool:
     """Return whether a print differs from a vector's derivative at right angles to the vector."""
     task = tasks[number]
-    domain, says = Domain.of(task.paper, task.row.on), task.row.says
+    domain, says = task.domain, task.row.says
     vector = write_out(domain.resolve(before))
     if not (isinstance(says, Equality) and isinstance(vector, sp.MatrixBase) and vector.cols == 1):
         return False
@@ -261,8 +261,7 @@ def _differ_little(task: Task) -> bool:
     says = task.row.says
     if not isinstance(says, Equality):
         return False
-    domain = Domain.of(task.paper, task.row.on)
-    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    one, other = (write_out(task.domain.resolve(side)) for side in (says.printed, says.rebuilt))
     if not all(isinstance(x, sp.MatrixBase) for x in (one, other)) or one.shape != other.shape:
         return False
     return bool(_find_largest(one - other) < ROUNDING * _find_largest(other))

@@ -19,7 +19,6 @@ from mechproof.proof.verdict import Left, State, Verdict
 from mechproof.proof.wellformed import DIMENSIONS
 from mechproof.record import Definition, Equality
 from mechproof.record.parts import find_free
-from mechproof.statement_domains.domain import Domain
 
 # Largest relative difference that rounding to two digits explains.
 ROUNDING = sp.Rational(1, 100)
@@ -129,8 +128,7 @@ def doubt_by_decimals(at: Judging) -> Changes:
         is_compared = _is_refuted(at.rows[n]) and first in rounded and not task.is_rounded
         if not (is_compared and isinstance(says, Equality)):
             continue
-        domain = Domain.of(task.paper, task.row.on)
-        one, other = (domain.resolve(side) for side in (says.printed, says.rebuilt))
+        one, other = (task.domain.resolve(side) for side in (says.printed, says.rebuilt))
         if not all(isinstance(side, sp.Expr) for side in (one, other)) or other == 0:
             continue
         ratio = sp.cancel(one / other)

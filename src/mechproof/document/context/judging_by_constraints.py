@@ -75,7 +75,7 @@ def _find_consequence_of_entries(
     rung = MULTIPLE
     for one in entries:
         zero = Equality(sp.sympify(one.residual), sp.S.Zero, "member")
-        if decide(zero, Domain.of(one.paper, one.row.on)).verdict is Verdict.PROVED:
+        if decide(zero, one.domain).verdict is Verdict.PROVED:
             continue
         found = find_consequence(one, [*state_at(given, one)])
         if not found or found[0] is not Verdict.PROVED:
@@ -95,9 +95,8 @@ def judge_excused(tasks: Sequence[Task], number: int, others: Sequence[int]) -> 
     before = [tasks[other] for other in others]
     given = list(_list_given(task, [*state_at(before, task)] if task.at else before))
     names = ", ".join(tasks[other].row.number for other in others)
-    domain = Domain.of(task.paper, task.row.on)
     for entry in _list_entries(task):
-        if evidence := find_failure(entry.sides, given, domain):
+        if evidence := find_failure(entry.sides, given, task.domain):
             hold = "holds" if len(others) == 1 else "hold"
             beside = f", also where {names} {hold}" if names else ""
             compared = f"; compared with {task.sign.first}" if task.sign.first else ""
@@ -129,8 +128,7 @@ def describe_misprint(
     if found is None:
         return ""
     task, misprint, compared_with = found
-    domain = Domain.of(task.paper, task.row.on)
-    one, other = map(domain.resolve, misprint.change.sides)
+    one, other = map(task.domain.resolve, misprint.change.sides)
     rows = (tasks[m] for m in proved)
     alike = [row.row.number for row in rows if _is_multiple(one - other, row.residual)]
     if alike:
@@ -168,7 +166,7 @@ def _find_misprint(
     # A statement about one case does not accuse a statement about all cases.
     task, *constraints = (tasks[n].special or tasks[n] for n in (number, *others))
     try:
-        domain = Domain.of(task.paper, task.row.on)
+        domain = task.domain
         beside = [*state_at(constraints, task)]
         given = list(_list_given(task, beside))
         compared = [*_list_compared(task, tasks[number].others, tasks)]
@@ -214,9 +212,8 @@ def _may_hold_at(at: Mapping[sp.Basic, sp.Basic], task: Task, constraints: Seque
     """Return whether a row may hold at the values that an earlier row's text gives letters."""
     there = replace(task, at={**task.at, **at})
     given = [*_list_given(there, [*state_at(constraints, there)])]
-    domain = Domain.of(task.paper, task.row.on)
-    sides = ([settle_all(domain.resolve(s), at) for s in e.sides] for e in _list_entries(task))
-    return not all(find_failure((one, other), given, domain) for one, other in sides)
+    sides = ([settle_all(task.domain.resolve(s), at) for s in e.sides] for e in _list_entries(task))
+    return not all(find_failure((one, other), given, task.domain) for one, other in sides)
 
 
 def _list_printed(tasks: Sequence[Task]) -> set[sp.Basic]:
@@ -235,13 +232,12 @@ def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Ju
     given = {one.row.number: one.residual for one in state_at([tasks[o] for o in others], task)}
     letters = {s for residual in given.values() for s in sp.sympify(residual).free_symbols}
     solutions = Solutions(*task.sign.sides).name_root(sorted(letters, key=str))
-    domain = Domain.of(task.paper, task.row.on)
-    if met := solutions.find_met(given, domain):
+    if met := solutions.find_met(given, task.domain):
         reason = "with either sign, {} solves {}, taken as given".format(*met)
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
     if task.is_case or solutions.is_pair:
         return None
-    if found := solutions.find_misprint([*given.values()], domain, _list_printed(tasks)):
+    if found := solutions.find_misprint([*given.values()], task.domain, _list_printed(tasks)):
         reason = f"{write_sign(found.change.reason)}; both signs compared with other prints"
         return _replace(task, Verdict.REFUTED, RUNG, reason, (found.evidence,))
     return None
@@ -250,16 +246,15 @@ def judge_roots(tasks: Sequence[Task], number: int, others: Sequence[int]) -> Ju
 def judge_half(tasks: Sequence[Task], number: int, pair: int) -> Judgement | None:
     """Judge the definition of x_1 by the print of x_{1,2}; None if nothing is shown."""
     task, says = tasks[number], tasks[number].row.says
-    domain = Domain.of(task.paper, task.row.on)
     if not (isinstance(says, Definition) and isinstance(says.printed, sp.Expr)):
         return None
     both = Solutions(*tasks[pair].sign.sides)
     half = both.name_half(says.printed)
-    if half.is_met(domain):
+    if half.is_met(task.domain):
         reason = f"it is one of the two values of {tasks[pair].row.number}"
         return _replace(task, Verdict.PROVED, SUBSTITUTION, reason)
     entry = PrintedSides((half.left, both.left), (True, False))
-    found = find_misprint(entry, [tasks[pair].residual], domain, _list_printed(tasks))
+    found = find_misprint(entry, [tasks[pair].residual], task.domain, _list_printed(tasks))
     if found is None or task.is_case:
         return None
     reason = f"{found.change.reason}; compared with both values of {tasks[pair].row.number}"

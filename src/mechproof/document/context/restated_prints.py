@@ -28,7 +28,6 @@ from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, State, Verdict
 from mechproof.record import Equality
-from mechproof.statement_domains.domain import Domain
 
 
 def compare_restated(at: Judging) -> Changes:
@@ -72,7 +71,7 @@ def _compare(task: Task, later: Task, symbols: Symbols) -> Task | None:
     if value is None or not isinstance(says, Equality):
         return None
     sides = says.printed, value
-    if not have_same_letters([*map(Domain.of(task.paper, task.row.on).resolve, sides)]):
+    if not have_same_letters([*map(task.domain.resolve, sides)]):
         return None
     row = replace(task.row, says=replace(says, rebuilt=value))
     name = name_equation(later.row.number)

@@ -22,7 +22,6 @@ from mechproof.document.tasks import Role, Task
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Verdict
 from mechproof.record.parts import TURNING
-from mechproof.statement_domains.domain import Domain
 from mechproof.tools.processes import WorkerError
 
 _COUNT = 4
@@ -61,7 +60,7 @@ def doubt_by_stillness(at: Judging) -> Changes:
             continue
         letter = one.sign.letter
         by, own = moving[letter]
-        letters = Domain.of(one.paper, one.row.on).resolve(letter).free_symbols
+        letters = one.domain.resolve(letter).free_symbols
         if letters and letters.isdisjoint({by, *moving, *rates}):
             may = ", ".join(sorted(f"{s}({by})" for s in letters))
             reason = (
@@ -214,11 +213,10 @@ def leave_none_free(
     """Return whether constraints fix the moving letters at a point where the constraints hold."""
     tasks = [all_tasks[n] for n in numbers]
     residuals = [sp.sympify(task.residual) for task in tasks]
-    domain = Domain.of(tasks[0].paper, tasks[0].row.on)
     letters = {s for one in residuals for s in one.free_symbols}
     moving = sorted((s for s in letters if str(s) in names), key=str)
     slopes = sp.Matrix(residuals).jacobian(moving)
-    for point in find_points(residuals, letters, domain, _COUNT):
+    for point in find_points(residuals, letters, tasks[0].domain, _COUNT):
         there = np.array(slopes.xreplace(point).evalf().tolist(), dtype=float)
         least = _FREE * np.abs(there).max()
         return bool(np.linalg.matrix_rank(there, tol=least) == len(moving))

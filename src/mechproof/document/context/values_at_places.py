@@ -135,11 +135,10 @@ def judge_at_place(
     residuals = [rest for one in given for rest in (one.residual, *one.rates) if rest is not None]
     says = task.row.says
     try:
-        domain = Domain.of(task.paper, task.row.on)
-        values = _solve_at_place(residuals, tied, domain)
+        values = _solve_at_place(residuals, tied, task.domain)
         if not (values and isinstance(says, Equality)):
             return None
-        printed = [domain.resolve(side) for side in (says.printed, says.rebuilt)]
+        printed = [task.domain.resolve(side) for side in (says.printed, says.rebuilt)]
         sides = [side.xreplace(values) for side in printed]
         if any(side.free_symbols & tied for side in sides):
             return None

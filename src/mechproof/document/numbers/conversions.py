@@ -21,7 +21,6 @@ from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import FREQUENCY, NUMBER, Equality, PrintedNumber
 from mechproof.record.parts import ANGLES, TURNING
 from mechproof.record.unit_notation import ONE, REVOLUTIONS, Unit, is_share, read_unit
-from mechproof.statement_domains.domain import Domain
 
 UNFIT = "the unit after the number is not that of its letters, or their units are not declared"
 _TURNED = "turns, or radians? no letter says which of them the calculation uses"
@@ -138,12 +137,11 @@ def judge_factor(task: Task) -> Judgement | str:
     number, sides = task.sign.factor, task.sign.sides
     if not (number and isinstance(task.row.says, Equality)):
         return _OPEN
-    domain = Domain.of(task.paper, task.row.on)
     for one, other in (sides, sides[::-1]):
         factor, rest = one.as_coeff_Mul() if isinstance(one, sp.Expr) else (sp.S.Zero, one)
         if abs(factor) != sp.Rational(number) or not isinstance(other, sp.Expr):
             continue
-        value = sp.cancel(domain.resolve(other) / domain.resolve(rest)) * sp.sign(factor)
+        value = sp.cancel(task.domain.resolve(other) / task.domain.resolve(rest)) * sp.sign(factor)
         if value.free_symbols or not value.is_finite:
             continue
         found = judge(replace(task.row, says=PrintedNumber(number, value)), task.paper)
