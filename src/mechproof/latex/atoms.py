@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.latex import calculus, environments, letters, places, printed_derivatives, tree
 from mechproof.latex.characters import is_digit
-from mechproof.latex.latex_signs import DOTS, NARROW, find_close, measure_depths
+from mechproof.latex.latex_signs import CLOSED_BY, DOTS, NARROW, find_close, measure_depths
 from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.matrix_meaning import give_inner_product, make_cross_matrix
 from mechproof.latex.measures import read_measure, read_unit
@@ -21,11 +21,10 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 _TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
-_CLOSED_BY = {"(": ")", "[": "]"}
-# Each sign that opens a rounding bracket -> the sign that closes it, and its function.
+# Each sign that opens a rounding bracket -> its function.
 _ROUNDING = {
-    r"\lfloor": (r"\rfloor", tree.PrintedFunction("floor", sp.floor)),
-    r"\lceil": (r"\rceil", tree.PrintedFunction("ceil", sp.ceiling)),
+    r"\lfloor": tree.PrintedFunction("floor", sp.floor),
+    r"\lceil": tree.PrintedFunction("ceil", sp.ceiling),
 }
 
 
@@ -55,7 +54,7 @@ def _read_fraction(parser: Parser) -> tree.Node:
     if unit := read_unit(parser):
         return unit
     start = parser.take().start
-    above = parser.read_inside("{", lambda: calculus.read_numerator(parser), "}")
+    above = parser.read_inside("{", lambda: calculus.read_numerator(parser))
     below = parser.read_group()
     return tree.Quotient(above, below, start=start, end=parser.end)
 
@@ -64,7 +63,7 @@ def _read_root(parser: Parser) -> tree.Node:
     start = parser.take().start
     degree = None
     if parser.text == "[":
-        degree = parser.read_inside("[", parser.read_sum, "]")
+        degree = parser.read_inside("[", parser.read_sum)
     return tree.Radical(parser.read_group(), degree, start=start, end=parser.end)
 
 
@@ -73,10 +72,10 @@ def _read_bracket(parser: Parser) -> tree.Node:
     if parser.text == "[" and environments.is_cases(parser):
         parser.take()
         return environments.read_cases(parser, start)
-    closing = _CLOSED_BY[parser.text]
+    closing = CLOSED_BY[parser.text]
     if (parser.peek(1), parser.peek(2)) == (r"\dots", closing):
         return _repeat_bracket(parser, start)
-    parts = parser.read_inside(parser.text, lambda: read_list(parser), closing)
+    parts = parser.read_inside(parser.text, lambda: read_list(parser))
     if len(parts) == 1:
         bracket = tree.Bracket(parts[0], start=start, end=parser.end)
         return _read_cross(parser, bracket) if closing == "]" else bracket
@@ -145,21 +144,20 @@ def _read_bars(parser: Parser) -> tree.Node:
 
 def _read_sized_bars(parser: Parser) -> tree.Node:
     start = parser.start
-    inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
+    inside = parser.read_inside(r"\lvert", parser.read_sum)
     return _enclose(parser, inside, start)
 
 
 def _read_rounding(parser: Parser) -> tree.Node:
     start, opening = parser.start, parser.text
-    closing, function = _ROUNDING[opening]
-    inside = parser.read_inside(opening, parser.read_sum, closing)
-    return tree.Call(function, (inside,), start=start, end=parser.end)
+    inside = parser.read_inside(opening, parser.read_sum)
+    return tree.Call(_ROUNDING[opening], (inside,), start=start, end=parser.end)
 
 
 def _read_angles(parser: Parser) -> tree.Node:
     """Read an inner product of two vectors."""
     start = parser.start
-    parts = parser.read_inside(r"\langle", lambda: read_list(parser), r"\rangle")
+    parts = parser.read_inside(r"\langle", lambda: read_list(parser))
     are_shown = [any(map(tree.shows_matrix, tree.walk(part))) for part in parts]
     if parser.text == "_" or not (parser.collects or are_shown == [True, True]):
         raise parser.refuse(
@@ -286,7 +284,7 @@ _READERS: Mapping[str, Callable[[Parser], tree.Node]] = {
     r"\frac": _read_fraction,
     r"\sqrt": _read_root,
     r"\binom": printed_derivatives.read_binomial,
-    **dict.fromkeys(_CLOSED_BY, _read_bracket),
+    **dict.fromkeys(("(", "["), _read_bracket),
     **dict.fromkeys(("|", r"\|"), _read_bars),
     r"\lvert": _read_sized_bars,
     places.LEFT: places.read_enclosed,

@@ -174,7 +174,7 @@ def _may_count(parser: Parser, inside: tree.Add) -> bool:
 
 def _read_grouped(parser: Parser) -> tuple[tree.Node, ...]:
     r"""Read \sin{x+1}: braces right after a function enclose its argument."""
-    parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
+    parts = parser.read_inside("{", lambda: atoms.read_list(parser))
     _refuse_power_after(parser)
     first = parts[0]
     if len(parts) == 1 and isinstance(first, tree.Bracket | tree.Entries):

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 from mechproof.latex import modulo, side_conditions
 from mechproof.latex.latex_signs import NARROW, WIDE
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.parser import Parser
 from mechproof.latex.printed_relations import (
     RELATIONS,
     place_between,
@@ -98,8 +97,7 @@ def _read_parts(parser: Parser, before: Sequence[ChainPart]) -> list[ChainPart]:
     if _skip_membership(parser):
         return []
     if side_conditions.is_bracketed(parser):
-        closing = {"(": ")", "[": "]"}[parser.text]
-        return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
+        return parser.read_inside(parser.text, lambda: _read_bracketed(parser))
     if parser.text in (*IF, r"\forall"):
         return [ChainPart(read_condition(parser), said=True)]
     if not parser.skip(WIDE):

@@ -135,7 +135,7 @@ def _read_condition(parser: Parser) -> Chain:
 
     if not side_conditions.is_bracketed(parser):
         return read()
-    return parser.read_inside(parser.text, read, {"(": ")", "[": "]"}[parser.text])
+    return parser.read_inside(parser.text, read)
 
 
 def _skip_marks(parser: Parser) -> None:

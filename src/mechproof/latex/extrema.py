@@ -39,7 +39,7 @@ def read_extremum(parser: Parser) -> Node:
     start, place = parser.start, parser.place
     name = parser.take().text.strip("\\")
     parser.take("_")
-    by = parser.read_inside("{", lambda: _read_letter(parser, name), "}")
+    by = parser.read_inside("{", lambda: _read_letter(parser, name))
     term = parser.read_product()
     is_whole = begins_member(parser, place) and parser.text not in ("+", "-", ")", "]", "}")
     if not is_whole or (place and parser.tokens[place - 1].text in ("+", "-")):

@@ -83,9 +83,12 @@ class Token:
     end: int
 
 
-# Signs that open and close groups, besides environments.
-OPENING = ("(", "[", "{", r"\lvert", r"\lfloor", r"\lceil", r"\langle")
-CLOSING = (")", "]", "}", r"\rvert", r"\rfloor", r"\rceil", r"\rangle")
+# Signs that open groups, besides environments -> the signs that close them.
+CLOSED_BY = {
+    **{"(": ")", "[": "]", "{": "}", r"\lvert": r"\rvert"},
+    **{r"\lfloor": r"\rfloor", r"\lceil": r"\rceil", r"\langle": r"\rangle"},
+}
+CLOSING = tuple(CLOSED_BY.values())
 
 
 def measure_depths(texts: Iterable[str]) -> Iterator[int]:
@@ -94,7 +97,7 @@ def measure_depths(texts: Iterable[str]) -> Iterator[int]:
     for text in texts:
         depth -= text in CLOSING or text.startswith(r"\end{")
         yield depth
-        depth += text in OPENING or text.startswith(r"\begin{")
+        depth += text in CLOSED_BY or text.startswith(r"\begin{")
 
 
 def find_close(texts: Sequence[str]) -> int:
@@ -160,7 +163,7 @@ def split_signs(latex: str) -> list[Token]:
             sign = replace(sign, start=signs.pop().start)
         if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text == ":":
             sign = replace(sign, start=signs.pop().start)
-        start = place if size and text in OPENING else sign.start
+        start = place if size and text in CLOSED_BY else sign.start
         signs.append(Token(text, start, sign.end))
         size = ""
     return signs

@@ -13,16 +13,14 @@ from functools import cache
 from itertools import pairwise
 
 from mechproof.latex.latex_signs import (
+    CLOSED_BY,
     CLOSING,
-    OPENING,
     Token,
     join,
     measure_depths,
     split_signs,
 )
 
-# The opening sign of an argument -> its closing one.
-_CLOSING = {"{": "}", "(": ")", "[": "]", "|": "|"}
 # Stands for an argument that may be a single sign without braces.
 _ANY = "."
 # Marks in front of an argument's number in a body: insert it unchanged; in brackets, if given; with
@@ -206,9 +204,9 @@ def _read_argument(signs: Sequence[Token], place: int, opening: str) -> tuple[Se
     depth = 0
     for end in range(place + 1, len(signs)):
         text = signs[end].text
-        if not depth and text == _CLOSING[first]:
+        if not depth and text == CLOSED_BY.get(first, "|"):
             return signs[place + 1 : end], end + 1
-        depth += (text in OPENING) - (text in CLOSING)
+        depth += (text in CLOSED_BY) - (text in CLOSING)
     return (), 0
 
 

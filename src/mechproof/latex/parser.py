@@ -29,7 +29,7 @@ from mechproof.latex import (
 )
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
-from mechproof.latex.latex_signs import CLOSING, DOTS, NARROW, WIDE, Token
+from mechproof.latex.latex_signs import CLOSED_BY, CLOSING, DOTS, NARROW, WIDE, Token
 from mechproof.latex.measures import is_unit
 from mechproof.latex.name_table import Names, to_signs
 from mechproof.latex.numerals import is_number_fraction, may_follow
@@ -335,15 +335,15 @@ class Parser:
 
     def read_group(self) -> tree.Node:
         """Read an expression in braces."""
-        return self.read_inside("{", self.read_sum, "}")
+        return self.read_inside("{", self.read_sum)
 
-    def read_inside(self, opening: str, read: Callable[[], T], closing: str) -> T:
-        """Read the text between two signs with `read`, a level deeper."""
+    def read_inside(self, opening: str, read: Callable[[], T]) -> T:
+        r"""Read with `read`, a level deeper, up to the closing sign; that of \left. is a bar."""
         self.take(opening)
         self.depth += 1
         bars, self.bars = self.bars, Counter()
         inside = read()
         self.bars = bars
         self.depth -= 1
-        self.take(closing)
+        self.take(CLOSED_BY.get(opening, r"\rvert"))
         return inside

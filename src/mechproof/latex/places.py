@@ -27,7 +27,7 @@ _NUMERIC = (r"\pi", r"\frac", "{", "}", "/", "-", ".", r"\cdot", "^", r"\circ")
 def read_enclosed(parser: Parser) -> Node:
     r"""Read \left.…\right|_{x=0}."""
     start = parser.start
-    inside = parser.read_inside(LEFT, parser.read_sum, r"\rvert")
+    inside = parser.read_inside(LEFT, parser.read_sum)
     if parser.text != "_":
         raise parser.refuse("a bar that does not say where the value is meant", place=start)
     return _read_place(parser, inside)
@@ -77,7 +77,7 @@ def _read_place(parser: Parser, term: Node) -> Node:
     if is_between(parser):
         return read_between(parser, term)
     parser.take("_")
-    return parser.read_inside("{", lambda: _read_values(parser, term), "}")
+    return parser.read_inside("{", lambda: _read_values(parser, term))
 
 
 def is_between(parser: Parser) -> bool:
@@ -94,7 +94,7 @@ def read_between(parser: Parser, term: Node) -> Node:
     ends: list[tuple[Letter | None, Node]] = []
     for sign in ("_", "^"):
         parser.take(sign)
-        ends.append(parser.read_inside("{", lambda: _read_end(parser), "}"))
+        ends.append(parser.read_inside("{", lambda: _read_end(parser)))
         by = ends[-1][0] or by
     is_found = by is None
     by = by or _find_moving(parser, term)
@@ -229,7 +229,7 @@ def read_value(parser: Parser, letter: Letter) -> Node:
     running = find_running(parser, letter)
     assert running is not None
     sign = _find_sign(parser, letter, running)
-    point = parser.read_inside("(", lambda: _read_point(parser, sign), ")")
+    point = parser.read_inside("(", lambda: _read_point(parser, sign))
     is_own = isinstance(point, Letter) and point.symbol == running.symbol
     if is_own and letter.symbol not in parser.notation.called:
         return letter

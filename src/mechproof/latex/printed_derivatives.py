@@ -62,8 +62,8 @@ def read_derivative(parser: Parser) -> tree.Node:
     start = parser.start
     parser.take()
     is_partial = parser.tokens[parser.place + 1].text == PARTIAL
-    order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
-    steps = parser.read_inside("{", lambda: _read_below(parser), "}")
+    order, operand = parser.read_inside("{", lambda: _read_above(parser))
+    steps = parser.read_inside("{", lambda: _read_below(parser))
     orders = [own for _, own in steps]
     if orders != [order] and order != sum(own for own in orders if isinstance(own, int)):
         raise parser.refuse("a derivative with two orders", place=start)
@@ -238,7 +238,7 @@ def read_limit(parser: Parser) -> tree.Node:
     if parser.text != "_":
         raise parser.refuse("a limit as which letter tends to what?", r"Print \lim_{x\to a}.")
     parser.take("_")
-    by, point, side = parser.read_inside("{", lambda: _read_way(parser), "}")
+    by, point, side = parser.read_inside("{", lambda: _read_way(parser))
     term = parser.read_product()
     return tree.Approach(term, by, point, side, start=start, end=parser.end)
 

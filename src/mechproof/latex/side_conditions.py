@@ -12,11 +12,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from mechproof.latex.latex_signs import (
+    CLOSED_BY,
     CLOSING,
     DOTS,
     GAPS,
     NARROW,
-    OPENING,
     WIDE,
     Token,
     find_close,
@@ -67,7 +67,7 @@ def _may_part(texts: Sequence[str], depths: Sequence[int], place: int) -> bool:
     if before is None or after is None or WIDE in texts[before:place]:
         return False
     is_sign = texts[after] == "-" and after + 1 < len(texts) and texts[after + 1] not in GAPS
-    begins = is_sign or texts[after] not in (*_OPERATORS, *OPENING[:3], *CLOSING, "-")
+    begins = is_sign or texts[after] not in (*_OPERATORS, *"([{", *CLOSING, "-")
     if not begins or texts[after].startswith((r"\text", r"\forall")):
         return False
     if texts[before] in (*_OPERATORS, "-", *IF, AND) or texts[before][1:] in FUNCTIONS:
@@ -127,7 +127,7 @@ def _stands_between(texts: Sequence[str], place: int) -> bool:
     is_sign = texts[place + 1 : place + 2] == ["-"] and texts[place + 2] not in GAPS
     begins = is_sign or (after[0] not in (*_JOINING, *CLOSING) if after else False)
     is_first = texts[place - 1] not in GAPS
-    return is_first and begins and before not in (*_JOINING, *OPENING)
+    return is_first and begins and before not in (*_JOINING, *CLOSED_BY)
 
 
 # Conditions -------------------------------------------------------------------------------------
@@ -147,7 +147,7 @@ def is_bracketed(parser: Parser) -> bool:
         return False
     depth = 0
     for token in parser.tokens[parser.place :]:
-        depth += (token.text in OPENING) - (token.text in CLOSING)
+        depth += (token.text in CLOSED_BY) - (token.text in CLOSING)
         if depth == 0:
             return False
         if depth == 1 and token.text in (*_RELATING, *IF, r"\forall"):
