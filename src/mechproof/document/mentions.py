@@ -11,11 +11,11 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.document.known import Known
-from mechproof.document.tasks import EQUAL
 from mechproof.latex import tree
 from mechproof.latex.characters import find_disguised, find_replaced, name_character, write_plain
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import is_number
+from mechproof.latex.printed_relations import EQUAL
 from mechproof.latex.reader import Print
 from mechproof.latex.words import OPENS_UPRIGHT
 from mechproof.nomenclature.block import Block

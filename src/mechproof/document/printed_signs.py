@@ -18,10 +18,11 @@ from mechproof.document.letters_alone import (
     is_bare,
 )
 from mechproof.document.numbers.calculated_sizes import add_calculations, find_span
-from mechproof.document.tasks import EQUAL, Role, Sign, Varied
+from mechproof.document.tasks import Role, Sign, Varied
 from mechproof.latex import ReadingError
 from mechproof.latex.expansion import name_ordinal
 from mechproof.latex.measures import find_factor, find_number, is_number, name_unit_after
+from mechproof.latex.printed_relations import EQUAL
 from mechproof.latex.reader import Print
 from mechproof.latex.sides import list_arcs, turn
 from mechproof.latex.tree import (

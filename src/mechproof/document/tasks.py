@@ -23,7 +23,6 @@ from mechproof.sources.announcements import NOTHING, Announced
 from mechproof.sources.located_text import Place
 from mechproof.statement_domains.domain import Domain
 
-EQUAL = ("=", r"\equiv")
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
 _INDEXED = re.compile(r"\)\s*_")
 

@@ -11,13 +11,12 @@ import sympy as sp
 from mechproof.latex import letters, tree
 from mechproof.latex.latex_signs import DOTS, find_close
 from mechproof.latex.left_scripts import begins_letter
-from mechproof.latex.printed_relations import RELATIONS
+from mechproof.latex.printed_relations import RELATIONS, UP
 from mechproof.latex.undeclared import printed_name
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-_ORDER = ("<", r"\le")
 _NEEDS_BOTH, _WITH_BOTH = "an index needs its first value and its last", r"Print \sum_{k=1}^n."
 
 
@@ -145,7 +144,7 @@ def _begins_values(parser: Parser) -> bool:
     place = 0
     while parser.peek(place + 1) == ",":
         place += 2
-    return parser.peek(place + 1) not in _ORDER
+    return parser.peek(place + 1) not in UP
 
 
 def _read_values(parser: Parser) -> tuple[list[_Range], None]:
@@ -165,12 +164,12 @@ def _read_values(parser: Parser) -> tuple[list[_Range], None]:
 def _read_order(parser: Parser) -> tuple[list[_Range], tree.Node]:
     r"""Read 1\le i\le n, or 1\le i<j\le n."""
     below = takewhile(lambda token: token.text != "}", parser.tokens[parser.place :])
-    if sum(token.text in _ORDER for token in below) == 1:
+    if sum(token.text in UP for token in below) == 1:
         raise parser.refuse(_NEEDS_BOTH, _WITH_BOTH)
     low, found = parser.read_sum(), list[_Range]()
-    while parser.text in _ORDER:
+    while parser.text in UP:
         step = int(parser.take().text == "<")
-        if found and parser.peek() not in _ORDER:
+        if found and parser.peek() not in UP:
             return found, _add_count(parser.read_sum(), -step)
         index = _read_index(parser)
         found.append(_Range(index, _add_count(low, step)))

@@ -14,6 +14,7 @@ from mechproof.latex import modulo, side_conditions
 from mechproof.latex.latex_signs import NARROW, WIDE
 from mechproof.latex.left_scripts import begins_letter
 from mechproof.latex.printed_relations import (
+    EQUAL,
     RELATIONS,
     place_between,
     read_condition,
@@ -39,7 +40,7 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
     statements: list[Chain] = []
     lines = list(parser.lines)
     for line, after in zip(lines, [*lines[1:], None], strict=True):
-        if line.arrow and set(statements[-1].relations) - {"=", r"\equiv", r"\le", r"\ge"}:
+        if line.arrow and set(statements[-1].relations) - {*EQUAL, r"\le", r"\ge"}:
             raise parser.refuse(
                 f"{line.arrow.text} has no meaning here",
                 r"Print the conclusion, and its condition after it: \text{ for }x>0.",
@@ -106,7 +107,7 @@ def _read_parts(parser: Parser, before: Sequence[ChainPart]) -> list[ChainPart]:
         return _read_parts(parser, before)
     start = parser.start
     chain = _read_chain(parser)
-    if not set(chain.relations).isdisjoint(("=", r"\approx", r"\equiv")):
+    if not set(chain.relations).isdisjoint((*EQUAL, r"\approx")):
         if all(side_conditions.is_inequality(part.chain) for part in before):
             return [ChainPart(chain)]
         raise parser.refuse(

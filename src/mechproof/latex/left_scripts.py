@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechproof.latex.characters import GREEK, is_letter
+from mechproof.latex.printed_relations import RELATIONS
 
 LEFT = "{}"
 # Accents and typefaces of vectors and matrices.
@@ -28,7 +29,7 @@ TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
 _SCRIPTS = ("^", "_")
 # Signs after which a script has no base to its left.
 _OPERATORS = (
-    *("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv", "+", "-", r"\pm", r"\mp", "/"),
+    *(*RELATIONS, "+", "-", r"\pm", r"\mp", "/"),
     *(r"\cdot", r"\times", r"\to", ",", ";", "&", r"\\", "(", "[", r"\lvert", ":"),
 )
 

@@ -16,6 +16,7 @@ from mechproof.latex.errors import MeaningError, PrintedText, ReadingError, Reme
 from mechproof.latex.extrema import give_term
 from mechproof.latex.matrix_exponentials import give_exponential
 from mechproof.latex.printed_functions import FUNCTIONS, OF_MATRICES
+from mechproof.latex.printed_relations import EQUAL, STATED
 from mechproof.latex.values import QUOTIENTS, has_counts, is_root, name_turns, settle_all
 from mechproof.latex.words import AND
 from mechproof.record import (
@@ -30,15 +31,6 @@ from mechproof.record.estimates import without_estimates
 LARGEST_EXPONENT = 1000
 _UNFIT = "numbers, matrices or their shapes do not fit together here"
 LARGEST_POWER_BITS = 100_000
-RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
-    "=": sp.Eq,
-    r"\equiv": sp.Eq,
-    r"\ne": sp.Ne,
-    "<": sp.Lt,
-    ">": sp.Gt,
-    r"\le": sp.Le,
-    r"\ge": sp.Ge,
-}
 
 
 class Meaning:
@@ -140,12 +132,12 @@ class Meaning:
     def relate(self, chain: tree.Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, unevaluated."""
         members = [self.side(member) for member in chain.members]
-        if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
+        if _any_matrix(members) and {*chain.relations} - {*EQUAL}:
             raise self.source.refuse(
                 chain.members[0].start, "matrices cannot be ordered", matrix_meaning.ENTRIES
             )
         return tuple(
-            RELATIONS[sign](left, right, evaluate=False)
+            STATED[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
             if sign != AND
         )

@@ -2,8 +2,10 @@ r"""Relations and the marks of conditions: signs of order, intervals, `\text{ if
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
+
+import sympy as sp
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.numerals import read_number
@@ -13,7 +15,14 @@ from mechproof.latex.words import AND, ELSE
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
+EQUAL, UP, DOWN = ("=", r"\equiv"), ("<", r"\le"), (">", r"\ge")
+INEQUALITIES = (*UP, *DOWN, r"\ne")
+RELATIONS = (*EQUAL, *INEQUALITIES, r"\approx")
+# The signs that are exact -> the relations that they state.
+STATED: Mapping[str, Callable[..., sp.Basic]] = {
+    **dict.fromkeys(EQUAL, sp.Eq),
+    **{"<": sp.Lt, r"\le": sp.Le, ">": sp.Gt, r"\ge": sp.Ge, r"\ne": sp.Ne},
+}
 # Letters for sets of numbers -> the SymPy assumption that their members satisfy.
 _SETS = {"Z": "integer", "N": "positive", "R": "real"}
 _LIMITS = {"(": "<", "[": r"\le", ")": "<", "]": r"\le"}

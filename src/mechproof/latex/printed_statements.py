@@ -9,8 +9,8 @@ import sympy as sp
 
 from mechproof.latex.extrema import state_extremum
 from mechproof.latex.matrix_meaning import is_matrix, is_power, says_from_one_on, state_power
-from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.measures import find_factor
+from mechproof.latex.printed_relations import EQUAL, STATED
 from mechproof.latex.reader import Reader
 from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
 from mechproof.latex.tree import Extremum, Letter, Node, walk
@@ -56,7 +56,7 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         return _state_extremum(row, sign, members, reader)
     if sign == r"\approx":
         return _round(row, members, reader)
-    if sign not in ("=", r"\equiv"):
+    if sign not in EQUAL:
         return _relate(row, sign, members, reader)
     if row.residual is not None:
         return _state_residual(row, row.residual, members)
@@ -167,7 +167,7 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         return Distinct(left, right)
     if matrices:
         raise ValueError(f"row {row.number!r}: matrices cannot be ordered by {sign}")
-    return Holds(RELATIONS[sign](left, right, evaluate=False))
+    return Holds(STATED[sign](left, right, evaluate=False))
 
 
 def _round(row: Row, members: Members, reader: Reader) -> Statement:

@@ -23,16 +23,14 @@ from mechproof.latex.latex_signs import (
     measure_depths,
 )
 from mechproof.latex.printed_functions import FUNCTIONS
-from mechproof.latex.printed_relations import RELATIONS, join
+from mechproof.latex.printed_relations import DOWN, INEQUALITIES, RELATIONS, UP, join
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
 from mechproof.latex.words import AND, IF
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-_INEQUALITIES = ("<", ">", r"\le", r"\ge", r"\ne")
 _RELATING = (*RELATIONS, r"\in")
-_UP, _DOWN = ("<", r"\le"), (">", r"\ge")
 _OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
 
 # Signs that a list of entries does not contain.
@@ -92,7 +90,7 @@ def _is_inequality_ahead(texts: Sequence[str]) -> bool:
     """Return whether the next relation is not an equality; letters in a list share it."""
     texts = [text for text in texts if text not in GAPS]
     first = next((n for n, text in enumerate(texts) if text in _RELATING), None)
-    if first is None or texts[first] not in (*_INEQUALITIES, r"\in"):
+    if first is None or texts[first] not in (*INEQUALITIES, r"\in"):
         return False
     commas = [-1, *(n for n, text in enumerate(texts[:first]) if text == ","), first]
     return len(commas) == 2 or all(b - a == 2 for a, b in pairwise(commas))
@@ -256,7 +254,7 @@ def _refuse_shared_bounds(parser: Parser, last: Chain | None, chain: Chain) -> N
     left, right = last.members[-1], chain.members[0]
     inner = isinstance(left, Letter) and isinstance(right, Letter) and left.text != right.text
     outer = any(_has_letter(one) for one in (last.members[0], chain.members[-1]))
-    if inner and not outer and any(set(signs) <= set(way) for way in (_UP, _DOWN)):
+    if inner and not outer and any(set(signs) <= set(way) for way in (UP, DOWN)):
         raise parser.refuse(
             "letters between two bounds: do both bounds hold for each of them?",
             "Print 0<x<1,\\ 0<y<1, or x>0,\\ y<1.",
@@ -284,7 +282,7 @@ def _bounds_letter(chain: Chain) -> bool:
 
 def is_inequality(chain: Chain) -> bool:
     """Return whether a chain states only an order or a difference, and no equality."""
-    return bool(chain.relations) and all(sign in _INEQUALITIES for sign in chain.relations)
+    return bool(chain.relations) and all(sign in INEQUALITIES for sign in chain.relations)
 
 
 def _has_letter(node: Node) -> bool:

@@ -9,11 +9,11 @@ from itertools import accumulate, takewhile
 from mechproof.latex import modulo
 from mechproof.latex.latex_signs import find_close
 from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.tokens import list_signs
 
 # Letters that number the last term, after dots.
 _LAST = ("n", "N", "m", "k")
-_RELATIONS = ("=", "<", ">", r"\le", r"\ge")
 # Remainders modulo 1, a sign of numbers that are not whole.
 _BY_ONE = re.compile(rf"(?:{'|'.join(map(re.escape, modulo.SIGNS))})\{{?1(?!\d)")
 # Things that come in whole numbers only: no turns, revolutions or cycles, and no virtual teeth.
@@ -78,7 +78,7 @@ def find_counted(text: str, prints: Iterable[str]) -> Iterator[str]:
 
 def _letters_of_last(texts: list[str]) -> Iterator[str]:
     """Yield the letters of a last term, or of its index if it has one."""
-    after = [*takewhile(lambda sign: sign not in _RELATIONS, texts)]
+    after = [*takewhile(lambda sign: sign not in RELATIONS, texts)]
     inside = list(accumulate(after, _step_index, initial=False))[1:]
     indices = [sign for sign, is_index in zip(after, inside, strict=True) if is_index]
     yield from (sign for sign in (indices or after) if sign in _LAST)

@@ -10,7 +10,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from mechproof.latex.latex_signs import SPACING, same_sign
-from mechproof.latex.printed_relations import RELATIONS
+from mechproof.latex.printed_relations import EQUAL, RELATIONS
+from mechproof.latex.several_equations import ARROWS, EQUIVALENCES
 from mechproof.latex.words import OPENS_TEXT, OPENS_UPRIGHT
 from mechproof.sources.located_text import LocatedText, join
 
@@ -36,12 +37,11 @@ _STEP = re.compile(
 _BRACKETS = {"{": "}", "(": ")"}
 # Brackets that lines and columns never split; round ones may continue on the next line.
 _BRACES = {"{": "}"}
-_EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
+_EQUALITY = (*EQUAL, r"\approx")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
-_RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
 # Signs that continue an equation: \left. precedes the end of a bracket opened on another line.
-_CONTINUING = (*_RELATIONS, "+", r"\left.")
+_CONTINUING = (*RELATIONS, "+", r"\left.")
 # What may separate an equation from the range of its index.
 _BEFORE_RANGE = (
     rf"(?:\\q?quad|\\[,;: ]|~|,|\s|{OPENS_UPRIGHT}\s*(?:for|with|where)\s*\}}|\\forall)*"
@@ -62,10 +62,7 @@ _ALL = re.compile(
 )
 _INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
 _TITLE_AT_START = re.compile(rf"\A\s*(?:{OPENS_UPRIGHT}[^{{}}]*\}}|[A-Z])\s*:(?!\s*=)")
-_LEADS = (
-    *(r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to"),
-    *(r"\Leftrightarrow", r"\Longleftrightarrow"),
-)
+_LEADS = (*ARROWS, *EQUIVALENCES, r"\therefore")
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
 _WORD = rf"{OPENS_UPRIGHT}[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
@@ -137,7 +134,7 @@ def _open(line: LocatedText, before: str) -> Iterator[LocatedText]:
     brace = _SYSTEM.match(latex.string)
     signs = list(walk_signs(latex.string)) if brace else []
     close = next((n for n, (_, place, depth) in enumerate(signs) if place and not depth), None)
-    has_equations = any(sign in _RELATIONS for sign, _, _ in signs[:close])
+    has_equations = any(sign in RELATIONS for sign, _, _ in signs[:close])
     if not brace or close is None or not has_equations or ends_open(before):
         yield line
         return
@@ -172,7 +169,7 @@ def goes_on(before: str, line: str) -> bool:
     opened, closed = (sum(sign in kind for sign in signs_before) for kind in ("([", ")]"))
     # The content of a coloured group counts as if it were outside.
     deepest = 1 if signs[0] == "{" else 0
-    has_relation = any(s in _RELATIONS and depth <= deepest for s, _, depth in walk_signs(line))
+    has_relation = any(s in RELATIONS and depth <= deepest for s, _, depth in walk_signs(line))
     return opened > closed or signs[0] in _CONTINUING or not has_relation
 
 
@@ -183,13 +180,13 @@ def begins_with_sign(line: str) -> bool:
 
 def count_signs(line: str) -> int:
     """Return the number of relation signs of a line outside brackets."""
-    return sum(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
+    return sum(sign in RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
 
 
 def ends_open(line: str) -> bool:
     """Return whether a line ends with a sign that something must follow."""
     *before, last = ["", *_list_signs(line)]
-    return last in (*_RELATIONS, *_OPERATORS) and before[-1:] != ["^"]
+    return last in (*RELATIONS, *_OPERATORS) and before[-1:] != ["^"]
 
 
 def _list_signs(line: str) -> list[str]:
@@ -306,7 +303,7 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
 def _begins_with_inequality(string: str) -> bool:
     outside = [sign for sign, _, depth in walk_signs(string) if depth == 0]
     ends = (n for n, sign in enumerate(outside) if sign in (",", ";", *_BLANK[:2]))
-    first = {*outside[: next(ends, 0)]} & {*_RELATIONS}
+    first = {*outside[: next(ends, 0)]} & {*RELATIONS}
     return bool(first) and first.isdisjoint(_EQUALITY)
 
 
