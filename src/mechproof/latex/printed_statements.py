@@ -12,9 +12,9 @@ from mechproof.latex.matrix_meaning import is_matrix, is_power, says_from_one_on
 from mechproof.latex.measures import find_factor
 from mechproof.latex.printed_relations import EQUAL, STATED
 from mechproof.latex.reader import Reader
-from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
+from mechproof.latex.sides import name_entries, round_to, says_nothing, turn
 from mechproof.latex.tree import Extremum, Letter, Node, walk
-from mechproof.latex.values import depends, settle, settle_all
+from mechproof.latex.values import depends, find_ratio, settle, settle_all
 from mechproof.record import (
     Definition,
     Distinct,
@@ -125,10 +125,9 @@ def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:
     _refuse_unknown_entries(row, left, right)
     if isinstance(left, sp.MatrixBase) != isinstance(right, sp.MatrixBase):
         raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
-    difference = left - right
-    if is_opposite(difference, residual):
-        return Equality(right - left, residual)
-    return Equality(difference, residual)
+    ratio = find_ratio(left - right, residual)
+    is_opposite = ratio is not None and abs(ratio + 1) < 1e-9
+    return Equality(right - left if is_opposite else left - right, residual)
 
 
 def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:

@@ -13,7 +13,6 @@ from mechproof.latex.measures import split_sign
 from mechproof.latex.tree import Degrees, Entries, Measure, Node, Number, strip
 from mechproof.record import PrintedNumber, family_of
 
-_PLACES = 2
 _ARCS = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
 
 
@@ -73,20 +72,6 @@ def says_nothing(left: Any, right: Any) -> bool:
     if len(entries[0]) != len(entries[1]):
         return True
     return any(sp.expand(one - other) != 0 for one, other in zip(*entries, strict=True))
-
-
-def is_opposite(difference: Any, residual: Any) -> bool:
-    """Return whether a difference equals minus the residual, at a few test points.
-
-    An equation means the same with either sign; whichever is stated is proved.
-    """
-    symbols = sorted(difference.free_symbols | residual.free_symbols, key=str)
-    for place in range(_PLACES):
-        values = {s: sp.Rational(7 * n + 11 + place, 13) for n, s in enumerate(symbols)}
-        one, other = (sp.N(side.subs(values)) for side in (difference, residual))
-        if not one.is_number or sp.Abs(one + other) > 1e-9 * (1 + sp.Abs(one)) or one == 0:
-            return False
-    return True
 
 
 def round_to(node: Node, value: Any) -> PrintedNumber | None:

@@ -55,6 +55,19 @@ def settle_all(expression: Any, values: Values) -> Any:
     return expression
 
 
+def find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
+    """Return the ratio of two sides if it is equal at two points, within double precision."""
+    letters = sorted(one.free_symbols | other.free_symbols, key=str)
+    ratios = []
+    for step in (3, 5):
+        values = {s: sp.Rational(7 * n + step, 13) for n, s in enumerate(letters)}
+        above, below = (side.xreplace(values).evalf() for side in (one, other))
+        if not (above.is_Float and below.is_Float) or below == 0:
+            return None
+        ratios.append(float(above / below))
+    return ratios[0] if abs(ratios[0] - ratios[1]) <= 1e-9 * abs(ratios[0]) else None
+
+
 def has_counts(value: sp.Basic) -> bool:
     """Return whether an expression contains integer symbols."""
     return any(symbol.is_integer for symbol in value.free_symbols)

@@ -18,6 +18,7 @@ from mechproof.document.numbers.scales import Scales, may_turn_units
 from mechproof.document.row_sides import SLOW
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex.matrix_meaning import is_matrix
+from mechproof.latex.values import find_ratio
 from mechproof.record import FREQUENCY, NUMBER, Equality, Holds, Row
 from mechproof.record.unit_notation import UNITS, Unit, read_unit, weigh
 from mechproof.statement_domains.dimension_inference import DimensionError, infer
@@ -48,12 +49,12 @@ def turn_units(row: Row, sign: Sign, known: Known) -> Row | str:
     is_slow = any(is_matrix(side) or side.has(*SLOW) for side in settled)
     if own is None or not settled or is_slow:
         return row
-    ratio = _find_ratio(*settled)
+    ratio = find_ratio(*settled)
     if ratio is None or abs(ratio - 1) < _SMALL:
         return row
     ratios = [ratio]
     for one, other in _Numbers(known, Scales(known.symbols)).list_pairs(sides, own):
-        found = _find_ratio(one, other)
+        found = find_ratio(one, other)
         if found is not None and abs(found - 1) < _SMALL:
             note = f"{row.note} {_NOTE}".strip()
             return replace(row, says=Equality(one, other, "member"), note=note)
@@ -121,19 +122,6 @@ def _find_quantity(sides: Sequence[sp.Expr]) -> int | None:
     factors = (abs(side.subs(sp.pi, 1).as_coeff_Mul()[0]) for side in sides)
     one, other = (max(factor, 1 / factor) for factor in factors)
     return None if one == other else [one, other].index(min(one, other))
-
-
-def _find_ratio(one: sp.Expr, other: sp.Expr) -> float | None:
-    """Return the ratio of two sides if it is equal at two points, within double precision."""
-    letters = sorted(one.free_symbols | other.free_symbols, key=str)
-    ratios = []
-    for step in (3, 5):
-        values = {s: sp.Rational(7 * n + step, 13) for n, s in enumerate(letters)}
-        above, below = (side.xreplace(values).evalf() for side in (one, other))
-        if not (above.is_Float and below.is_Float) or below == 0:
-            return None
-        ratios.append(float(above / below))
-    return ratios[0] if abs(ratios[0] - ratios[1]) <= _SMALL * abs(ratios[0]) else None
 
 
 def _turns_units(formula: sp.Expr) -> bool:
