@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -13,7 +13,12 @@ from mechproof.latex.measures import split_sign
 from mechproof.latex.tree import Degrees, Entries, Measure, Node, Number, strip
 from mechproof.record import PrintedNumber, family_of
 
-_ARCS = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
+# Functions that take each value once in a range -> their inverses, and that range.
+INVERSES: Mapping[type[sp.Basic], tuple[type[sp.Basic], sp.Interval]] = {
+    sp.sin: (sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
+    sp.cos: (sp.acos, sp.Interval(0, sp.pi)),
+    sp.tan: (sp.atan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
+}
 
 
 def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
@@ -40,7 +45,7 @@ def _fill(side: Any, other: Any) -> Any:
 def list_arcs(sides: tuple[Any, Any]) -> Iterator[tuple[sp.Function, sp.Expr]]:
     """Yield a side that is the sine, cosine or tangent of a letter, and the arc of the other."""
     for function, value in (sides, sides[::-1]):
-        arc = _ARCS.get(getattr(function, "func", None))
+        arc, _ = INVERSES.get(getattr(function, "func", sp.Basic), (None, None))
         is_formula = isinstance(value, sp.Expr) and not value.is_Matrix
         if arc and function.args[0].is_Symbol and is_formula:
             yield function, arc(value)

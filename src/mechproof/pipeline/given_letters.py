@@ -10,6 +10,7 @@ from itertools import product
 import sympy as sp
 
 from mechproof.latex import Reader
+from mechproof.latex.sides import INVERSES
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, depends, differentiate, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING
 from mechproof.nomenclature.said_relations import read_relations
@@ -90,13 +91,6 @@ def solve_equation(
     return letter, value
 
 
-_INVERSES: Mapping[type[sp.Basic], tuple[type[sp.Basic], sp.Interval]] = {
-    sp.sin: (sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
-    sp.cos: (sp.acos, sp.Interval(0, sp.pi)),
-    sp.tan: (sp.atan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
-}
-
-
 def _invert(
     equation: sp.Equality, letters: Sequence[sp.Basic], said: Sequence[sp.Basic]
 ) -> Iterator[tuple[sp.Basic, sp.Expr]]:
@@ -104,9 +98,9 @@ def _invert(
     pairs = ((equation.lhs, equation.rhs), (equation.rhs, equation.lhs))
     for letter, (side, other) in product(letters, pairs):
         factor, wave = side.as_independent(letter, as_Add=False)
-        if type(wave) not in _INVERSES or other.has(letter):
+        if type(wave) not in INVERSES or other.has(letter):
             continue
-        inverse, values = _INVERSES[type(wave)]
+        inverse, values = INVERSES[type(wave)]
         rate = sp.diff(wave.args[0], letter)
         if wave.args[0] != rate * letter or not rate.is_Rational:
             continue

@@ -19,6 +19,7 @@ from mechproof.document.context.undeclared_motion import find_ties
 from mechproof.document.judging_workers import Changes, Judging
 from mechproof.document.row_sides import have_same_letters
 from mechproof.document.tasks import Role, Task
+from mechproof.latex.sides import INVERSES
 from mechproof.latex.values import list_reached
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.equation_ladder import ContradictionError
@@ -33,12 +34,6 @@ from mechproof.statement_domains.domain import Domain
 # Roles of rows that a condition printed after them may restrict to one place.
 _CONDITIONED = (Role.REPEATED, Role.DERIVATIVE)
 _BESIDE = "constraints may change a letter next to the value: is the value meant for"
-# Functions that take each value once in a range, their inverses, and that range.
-_INVERSES = (
-    (sp.sin, sp.asin, sp.Interval(-sp.pi / 2, sp.pi / 2)),
-    (sp.cos, sp.acos, sp.Interval(0, sp.pi)),
-    (sp.tan, sp.atan, sp.Interval.open(-sp.pi / 2, sp.pi / 2)),
-)
 
 Values = dict[sp.Basic, sp.Expr]
 
@@ -209,7 +204,7 @@ def _solve(residual: sp.Expr, letter: sp.Basic, domain: Domain) -> sp.Expr | Non
         return None
     if within == sp.S.Reals:
         return _solve_linear(residual.xreplace({letter: name}), name, letter, domain)
-    for function, inverse, values in _INVERSES:
+    for function, (inverse, values) in INVERSES.items():
         shown = residual.xreplace({function(letter): name})
         sine = _solve_linear(shown, name, letter, domain) if within.is_subset(values) else None
         if sine is None:
