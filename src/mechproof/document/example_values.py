@@ -44,8 +44,7 @@ def lend_values(known: Known, name: str) -> Iterator[list[Sign]]:
             if sign.role is Role.DEFINITION and sign.letter not in {*before, *lent}:
                 new |= _take_out(sign.letter, known, before, shown)
             elif sign.letter in lent and _differs(sign, lent[sign.letter]):
-                _, steps = known.symbols.find_steps(sign.letter)
-                new |= dict.fromkeys(lent.keys() & {*steps[steps.index(sign.letter) :]})
+                new |= dict.fromkeys(lent.keys() & {*known.symbols.find_rates(sign.letter)})
         for letter in (*lent, *new):
             for kept in (known.values, known.printed, known.others):
                 kept.pop(letter, None)
@@ -59,7 +58,7 @@ def _take_out(
     _, steps = known.symbols.find_steps(letter)
     if not shown & {*steps}:
         return {}
-    new = [s for s in steps[steps.index(letter) :] if s in known.values.keys() - before]
+    new = [s for s in known.symbols.find_rates(letter) if s in known.values.keys() - before]
     values = {s: known.values[s] for s in new}
     return {} if any(map(is_matrix, values.values())) else values
 
@@ -123,8 +122,7 @@ class ExampleValues:
         """Return the values of a letter and of its derivatives."""
         known = replace(self.known, values={**self.known.values}, printed={})
         known.define(said.letter, said.value, "")
-        _, steps = known.symbols.find_steps(said.letter)
-        own = steps[steps.index(said.letter) :]
+        own = known.symbols.find_rates(said.letter)
         return {s: known.values[s] for s in own if s in known.values}
 
 

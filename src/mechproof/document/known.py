@@ -145,8 +145,8 @@ class Known:
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
-        by, steps = self.symbols.find_steps(symbol)
-        for rate in steps[steps.index(symbol) + 1 :]:
+        by, _ = self.symbols.find_steps(symbol)
+        for rate in self.symbols.find_rates(symbol)[1:]:
             if rate in self.values:
                 break
             try:
@@ -166,8 +166,7 @@ class Known:
 
         Letters that are not said to move have their values put in before derivatives are taken.
         """
-        _, steps = self.symbols.find_steps(symbol)
-        own = steps[steps.index(symbol) :]
+        own = self.symbols.find_rates(symbol)
         values = {s: v for s, v in self.values.items() if s not in own}
         known = replace(self, values=values, printed={**self.printed})
         if known.is_shown(symbol, value):
@@ -177,8 +176,7 @@ class Known:
             s for s, v in values.items() if not self.is_derived(s) and self.is_shown(symbol, v)
         ]
         for letter in resting:
-            _, steps = self.symbols.find_steps(letter)
-            for rate in steps[steps.index(letter) + 1 :]:
+            for rate in self.symbols.find_rates(letter)[1:]:
                 known.values.pop(rate, None)
             known.define(letter, values[letter], self.printed[letter])
         changed = (s for s in self.values if known.values.get(s) != self.values[s])

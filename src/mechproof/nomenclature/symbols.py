@@ -88,6 +88,11 @@ class Symbols:
         all_steps = ((by, (letter, *rates)) for letter, (by, rates) in moving.items())
         return next((one for one in all_steps if symbol in one[1]), (symbol, (symbol,)))
 
+    def find_rates(self, symbol: sp.Basic) -> tuple[sp.Basic, ...]:
+        """Return a letter or a derivative with its own derivatives."""
+        _, steps = self.find_steps(symbol)
+        return steps[steps.index(symbol) :]
+
     def find_alike(self, letters: Collection[sp.Basic]) -> sp.Basic | None:
         """Return one of the letters if all have the same declared unit, else None."""
         units = {(self.find_dimension(x), self.scales.get(x)) for x in letters}

@@ -129,8 +129,7 @@ def _list_letters(
 ) -> frozenset[sp.Basic]:
     """Return the letters that groups of definitions define, with their derivatives."""
     letters = {one.sign.letter for used, _ in groups for one in used}
-    steps = ((s, symbols.find_steps(s)[1]) for s in letters if s is not None)
-    return frozenset(rate for s, rates in steps for rate in rates[rates.index(s) :])
+    return frozenset(x for s in letters if s is not None for x in symbols.find_rates(s))
 
 
 def leaves_free(one: Task, task: Task, tasks: Sequence[Task]) -> bool:

@@ -80,9 +80,8 @@ def find_other_solutions(at: Judging) -> Changes:
 def _solve(rest: sp.Expr, letter: sp.Basic, at: Judging) -> dict[sp.Basic, sp.Expr | None]:
     """Return the value that a linear equation gives a letter; its derivatives are then unknown."""
     above = sp.Poly(sp.fraction(sp.together(rest))[0], letter)
-    _, steps = at.symbols.find_steps(letter)
     value = -above.coeff_monomial(1) / above.coeff_monomial(letter)
-    return {**dict.fromkeys(steps[steps.index(letter) :]), letter: value}
+    return {**dict.fromkeys(at.symbols.find_rates(letter)), letter: value}
 
 
 def _says_zero(residual: sp.Expr) -> bool:

@@ -59,9 +59,7 @@ def find_roots(at: Judging) -> Changes:
     for (m, values, n), answer in at.ask(judge_root, asked):
         if isinstance(answer, Judgement) and _is_root(answer, rows[m]):
             task, letter = tasks[n], tasks[n].sign.letter
-            _, steps = at.symbols.find_steps(letter)
-            anew = dict.fromkeys(steps[steps.index(letter) :]) | values
-            tasks[n] = replace(task, anew=anew)
+            tasks[n] = replace(task, anew=dict.fromkeys(at.symbols.find_rates(letter)) | values)
             reason = f"it differs from {task.sign.first}, but also solves {tasks[m].row.number}"
             yield n, make_row(task, reason)
 
