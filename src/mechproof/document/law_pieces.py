@@ -9,8 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.values import find_end, is_lower
-
-_CLOSED = (sp.Le, sp.Ge)
+from mechproof.nomenclature.said_relations import open_modulus
 
 
 @dataclass(frozen=True)
@@ -40,26 +39,17 @@ def read_piece(
 ) -> LawPiece | None:
     """Return the piece that relations select, or None if they say more than a range."""
     ends: dict[bool, tuple[sp.Expr, bool]] = {}
-    where = tuple(part for one in relations for part in _open_modulus(one, by))
+    where = tuple(part for one in relations for part in open_modulus(one))
     for relation in where:
         if not isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge):
             return None
         end, lower = find_end(relation, by), is_lower(relation, by)
         if end is None or lower in ends:
             return None
-        ends[lower] = (end, isinstance(relation, _CLOSED))
+        ends[lower] = (end, isinstance(relation, sp.Le | sp.Ge))
     low, high = (ends.get(lower, (None, False)) for lower in (True, False))
     closed = low[1], high[1]
     return LawPiece(name, value, by, where, low[0], high[0], closed) if ends else None
-
-
-def _open_modulus(relation: sp.Basic, by: sp.Basic) -> tuple[sp.Basic, ...]:
-    """Write |x| <= a, where x is the letter of a range, as the two relations it stands for."""
-    is_order = isinstance(relation, sp.Lt | sp.Le | sp.Gt | sp.Ge)
-    if not is_order or relation.lts != sp.Abs(by):
-        return (relation,)
-    order = sp.Le if isinstance(relation, _CLOSED) else sp.Lt
-    return order(by, relation.gts), order(-relation.gts, by)
 
 
 def order_pieces(pieces: Sequence[LawPiece]) -> list[LawPiece]:

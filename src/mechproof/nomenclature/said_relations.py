@@ -58,17 +58,20 @@ def _advise(equation: sp.Equality) -> str:
 
 
 def _split(relation: sp.Basic) -> list[sp.Basic]:
-    """Return a relation, with |x|<a turned into x<a and -x<a.
+    """Open an absolute value; one of several letters is kept as well."""
+    parts = open_modulus(relation)
+    is_kept = len(parts) > 1 and len(relation.free_symbols) > 1
+    return [*parts, relation] if is_kept else parts
 
-    The relation with the absolute value is kept as well if it has several letters.
-    """
+
+def open_modulus(relation: sp.Basic) -> list[sp.Basic]:
+    """Write |x|<a as x<a and -a<x; return any other relation unchanged."""
     smaller = getattr(relation, "lts", None)
     if not isinstance(smaller, sp.Abs) or relation.gts.has(sp.Abs):
         return [relation]
-    is_left = relation.lhs == smaller
-    numbers = (smaller.args[0], -smaller.args[0])
-    parts = [relation.func(*((x, relation.gts) if is_left else (relation.gts, x))) for x in numbers]
-    return [*parts, *([relation] if len(relation.free_symbols) > 1 else [])]
+    order = sp.Le if isinstance(relation, sp.Le | sp.Ge) else sp.Lt
+    (inside,) = smaller.args
+    return [order(inside, relation.gts), order(-relation.gts, inside)]
 
 
 def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
