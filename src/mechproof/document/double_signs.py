@@ -19,10 +19,10 @@ from mechproof.document.known import Known
 from mechproof.document.printed_signs import find_roles
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex import Reader
+from mechproof.latex.latex_signs import DOUBLE
 from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.reader import Print
 from mechproof.nomenclature.shown_letters import name_symbol
-from mechproof.nomenclature.symbol_names import DOUBLE
 from mechproof.record import Definition, Equality, Row
 from mechproof.sources.displays import Printed
 from mechproof.statement_domains.preparation import take_values

@@ -33,6 +33,7 @@ from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import TOO_DEEP
+from mechproof.latex.latex_signs import DOUBLE
 from mechproof.latex.tree import Measure, walk
 from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
@@ -41,7 +42,7 @@ from mechproof.nomenclature.defined_functions import find_defined
 from mechproof.nomenclature.possible_matrices import find_possible_matrices, list_units
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
-from mechproof.nomenclature.symbol_names import DOUBLE, add_pairs, leave_pairs
+from mechproof.nomenclature.symbol_names import add_pairs, leave_pairs
 from mechproof.nomenclature.symbols import add_chained_rates, add_scopes, give_chained_rates
 from mechproof.proof.verdict import Left, State
 from mechproof.record import Paper

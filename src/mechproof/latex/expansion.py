@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.errors import PrintedText, Remedies
+from mechproof.latex.latex_signs import DOUBLE
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.printed_statements import Members, state
 from mechproof.latex.reader import Print, Reader
@@ -30,7 +31,6 @@ from mechproof.record import (
     ValueWhere,
 )
 
-_DOUBLE = (r"\pm", r"\mp", "±", "∓")
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
 
 
@@ -78,9 +78,8 @@ def _join_signs(upper: Row, lower: Row, remedies: Remedies) -> Row:
     says = (upper.statement, lower.statement)
     if _is_on_one_side(upper, lower):
         latex = upper.printed_latex
-        place = min(found for sign in _DOUBLE if (found := latex.find(sign)) >= 0)
         error = PrintedText(latex).refuse(
-            place,
+            next(DOUBLE.finditer(latex)).start(),
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
             f"It stands for two equations: print them one by one{remedies.sign}.",
         )

@@ -49,11 +49,9 @@ _SAME = {
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc", r"\hdots"), r"\dots"),
     "*": r"\cdot",
-    **dict.fromkeys((r"\vert",), "|"),
     **dict.fromkeys((r"\Vert", r"\lVert", r"\rVert"), r"\|"),
     **{r"\rightarrow": r"\to", r"\longrightarrow": r"\to", r"\land": AND},
-    **dict.fromkeys((r"\lbrack",), "["),
-    **dict.fromkeys((r"\rbrack",), "]"),
+    **{r"\vert": "|", r"\lbrack": "[", r"\rbrack": "]"},
     **{r"\neq": r"\ne", r"\simeq": r"\approx", r"\textbf": r"\mathbf"},
     **dict.fromkeys((r"\boldsymbol", r"\pmb"), r"\bm"),
     # Accents that amsmath puts above other accents.
@@ -70,6 +68,8 @@ _SAME = {
 # A star above a letter is part of its name, as a prime is.
 STAR = "^*"
 SUFFIXES = ("'", STAR)
+# Both signs.
+DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 # Dot and cross, which mean the same between numbers.
 DOTS = (r"\cdot", r"\times")
 

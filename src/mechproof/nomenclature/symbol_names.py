@@ -15,6 +15,7 @@ from itertools import product
 
 import sympy as sp
 
+from mechproof.latex.latex_signs import DOUBLE
 from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.name_table import to_signs
 from mechproof.nomenclature.block import Block, Declared
@@ -41,7 +42,6 @@ _SET = (
 _INDEX = re.compile(rf"_\{{\s*(?:{_SET}|[A-Za-z]{{2,}})\s*\}}|_(?:{_SET})")
 _WORD = re.compile(r"[A-Za-z]{2,}(?=[\s}]*\Z)")
 _TYPES = (r"_{{{}}}", r"_{{\mathrm{{{}}}}}", r"_{{\text{{{}}}}}")
-DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 _PAIR = re.compile(r"(.+)_\{?(\d)\s*(?:[,/]|\{,\}|\\,)+\s*(\d)\}?")
 _PRINT = re.compile(
     r"(?:\\[A-Za-z]+|[A-Za-z])\s*_\s*\{\s*\d\s*(?:[,/]|\{,\}|\\,)+\s*\d\s*\}", re.DOTALL
