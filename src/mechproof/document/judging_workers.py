@@ -204,7 +204,7 @@ def _prove_in_letters(task: Task) -> Judgement | None:
     """Judge an equation before all definitions are put in; None unless it is proved."""
     for one in list_shallow(task):
         says = one.row.says
-        sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+        sides = says.sides if isinstance(says, Equality) else ()
         if sides and not any(map(is_matrix, sides)) and not are_seen_to_differ(sides, one.domain):
             found = judge(one.row, one.paper)
             if found.verdict is Verdict.PROVED:
@@ -249,7 +249,7 @@ def _holds_transposed(task: Task) -> bool:
     says = task.row.says
     if r"\partial" not in task.row.printed_latex or not isinstance(says, Equality):
         return False
-    one, other = says.printed, says.rebuilt
+    one, other = says.sides
     if not (is_matrix(one) and is_matrix(other)):
         return False
     turned = replace(task.row, says=Equality(one.T, other, "member"))

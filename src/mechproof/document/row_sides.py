@@ -134,14 +134,12 @@ def raises_by_letter(side: Any) -> bool:
 
 def has_letters(says: Statement | None) -> bool:
     """Return whether both sides of an equation have letters; if not, it may be true by accident."""
-    return isinstance(says, Equality) and all(
-        side.free_symbols for side in (says.printed, says.rebuilt)
-    )
+    return isinstance(says, Equality) and all(side.free_symbols for side in says.sides)
 
 
 def list_stated(says: Statement | None) -> set[sp.Basic]:
     """Return the letters of both sides as printed, some of which may have no known unit."""
-    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    sides = says.sides if isinstance(says, Equality) else ()
     return {letter for side in sides for letter in side.free_symbols}
 
 

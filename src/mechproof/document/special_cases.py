@@ -57,7 +57,7 @@ def specialise(row: Row, values: Mapping[sp.Basic, sp.Basic], known: Known) -> R
     """Put the values from a row's condition into the sides that it compares."""
     if row.on is None or not values or not isinstance(row.says, Equality):
         return row
-    one, other = (put_in(side, values, known) for side in (row.says.printed, row.says.rebuilt))
+    one, other = (put_in(side, values, known) for side in row.says.sides)
     if any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
         return row
     where = tuple(r for r in row.on.where if values.get(getattr(r, "lhs", None)) != r.rhs)
@@ -92,7 +92,7 @@ def stay_within_pieces(row: Row, sign: Sign, known: Known) -> Row:
     if not isinstance(row.says, Equality) or sign.letter is None:
         return row
     by, steps = known.find_parted(sign.letter), known.symbols.find_steps(sign.letter)[1]
-    sides = _choose_pieces(row.on, by, (row.says.printed, row.says.rebuilt), known)
+    sides = _choose_pieces(row.on, by, row.says.sides, known)
     row = replace(row, says=replace(row.says, printed=sides[0], rebuilt=sides[1]))
     laws = [known.values[s] for s in steps[: steps.index(sign.letter)] if s in known.values]
     ends = list_ends(*sides) if sign.role is Role.DERIVATIVE else []
@@ -147,7 +147,7 @@ def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
 
 def state_angles(says: Equality, times: sp.Expr = sp.S.One) -> Conjunction:
     """State that the sides, times a factor, are angles of the same direction."""
-    sides = [times * side for side in (says.printed, says.rebuilt)]
+    sides = [times * side for side in says.sides]
     parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
     return Conjunction(tuple(parts))
 

@@ -59,7 +59,7 @@ def _is_nowhere_true(task: Task, domain: Domain) -> bool:
     """Return whether a row is proved to be true nowhere; not tried if a zero is found."""
     says = task.row.says
     if isinstance(says, Equality) and task.residual is not None:
-        return _are_apart(says.printed, says.rebuilt, domain)
+        return _are_apart(*says.sides, domain)
     if isinstance(says, Holds):
         return decide(Holds(sp.Not(says.relation)), domain).verdict is Verdict.PROVED
     return False
@@ -81,7 +81,7 @@ def _list_false_entries(task: Task, domain: Domain) -> Iterator[str]:
     says = task.row.says
     if not isinstance(says, Equality):
         return
-    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    one, other = (write_out(domain.resolve(side)) for side in says.sides)
     if not (isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase)):
         return
     is_system = min(one.shape) == 1 and bool(one.free_symbols | other.free_symbols)
@@ -161,7 +161,7 @@ def _find_relations(task: Task) -> str:
 def _ask_sign(task: Task) -> str:
     """Return the condition that the other side of a root is not negative, if a row needs it."""
     says, domain = task.row.says, task.domain
-    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    sides = says.sides if isinstance(says, Equality) else ()
     for root, other in permutations(sides, 2):
         resolved = domain.resolve(root)
         if not (isinstance(resolved, sp.Pow) and resolved.exp == sp.Rational(1, 2)):
@@ -177,7 +177,7 @@ def _list_turning(task: Task) -> Iterator[sp.Basic]:
     says = task.row.says
     for part in says.parts if isinstance(says, Conjunction) else (says,):
         if isinstance(part, Equality):
-            for side in (part.printed, part.rebuilt):
+            for side in part.sides:
                 yield from Domain.of(task.paper).resolve(side).atoms(*TURNING)
 
 
@@ -186,7 +186,7 @@ def _holds_within(task: Task, within: Mapping[sp.Basic, sp.Set]) -> bool:
     inside = Part("assumed ranges of some letters", within)
     domain = Domain.of(task.paper, task.row.on, inside)
     says = task.row.statement
-    sides = [says.printed, says.rebuilt] if isinstance(says, Equality) else []
+    sides = says.sides if isinstance(says, Equality) else []
     sides = [domain.resolve(side) for side in sides if not is_matrix(side)]
     try:
         # Points are tried first: most choices of letters are refuted by one.

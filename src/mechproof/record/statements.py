@@ -42,6 +42,11 @@ class Equality:
     def __post_init__(self) -> None:
         make_exact(self, "printed", "rebuilt")
 
+    @property
+    def sides(self) -> tuple[sp.Basic, sp.Basic]:
+        """Return both sides."""
+        return self.printed, self.rebuilt
+
 
 @dataclass(frozen=True)
 class Distinct:

@@ -82,7 +82,7 @@ def list_letters(task: Task) -> set[sp.Basic]:
         return set(task.residual.free_symbols)
     says, domain = task.row.says, task.domain
     parts = says.parts if isinstance(says, Conjunction) else (says,)
-    sides = [s for p in parts if isinstance(p, Equality) for s in (p.printed, p.rebuilt)]
+    sides = [s for p in parts if isinstance(p, Equality) for s in p.sides]
     return {letter for side in sides for letter in domain.resolve(side).free_symbols}
 
 

@@ -102,7 +102,7 @@ def judge_angles(task: Task) -> Judgement | None:
     says, domain = task.row.says, task.domain
     if not isinstance(says, Equality) or task.sign.role is not Role.CONSTRAINT:
         return None
-    if not is_angle((says.printed, says.rebuilt), domain.dimensions):
+    if not is_angle(says.sides, domain.dimensions):
         return None
     found = judge(replace(task.row, says=state_angles(says)), task.paper)
     if found.verdict is not Verdict.PROVED:
@@ -192,7 +192,7 @@ class Solutions:
 
         def state(sides: Sides) -> Sides:
             says = Solutions(*sides).state(domain.dimensions)
-            return says.printed, says.rebuilt
+            return says.sides
 
         entry = PrintedSides((self.left, self.value), (not self.left.is_Symbol, True))
         # A mended print solves its constraint, so repeating the constraint is no objection.

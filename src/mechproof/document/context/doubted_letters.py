@@ -213,7 +213,7 @@ def _may_turn(tasks: Sequence[Task], number: int, before: sp.Basic) -> bool:
     vector = write_out(domain.resolve(before))
     if not (isinstance(says, Equality) and isinstance(vector, sp.MatrixBase) and vector.cols == 1):
         return False
-    one, other = (write_out(domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    one, other = (write_out(domain.resolve(side)) for side in says.sides)
     across = Equality(vector.dot(one - other), sp.S.Zero, "member")
     return decide(across, domain).verdict is Verdict.PROVED
 
@@ -260,7 +260,7 @@ def _differ_little(task: Task) -> bool:
     says = task.row.says
     if not isinstance(says, Equality):
         return False
-    one, other = (write_out(task.domain.resolve(side)) for side in (says.printed, says.rebuilt))
+    one, other = (write_out(task.domain.resolve(side)) for side in says.sides)
     if not all(isinstance(x, sp.MatrixBase) for x in (one, other)) or one.shape != other.shape:
         return False
     return bool(_find_largest(one - other) < ROUNDING * _find_largest(other))

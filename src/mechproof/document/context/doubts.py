@@ -102,7 +102,7 @@ def doubt_by_indices(at: Judging) -> Changes:
 def _list_indices(task: Task) -> set[sp.Basic]:
     """Return the letters of indices on both sides that are not letters of the paper."""
     says = task.row.says
-    sides = (says.printed, says.rebuilt) if isinstance(says, Equality) else ()
+    sides = says.sides if isinstance(says, Equality) else ()
     sides = (says.printed, says.symbol) if isinstance(says, Definition) else sides
     indices = [
         {
@@ -127,7 +127,7 @@ def doubt_by_decimals(at: Judging) -> Changes:
         is_compared = _is_refuted(at.rows[n]) and first in rounded and not task.is_rounded
         if not (is_compared and isinstance(says, Equality)):
             continue
-        one, other = (task.domain.resolve(side) for side in (says.printed, says.rebuilt))
+        one, other = (task.domain.resolve(side) for side in says.sides)
         if not all(isinstance(side, sp.Expr) for side in (one, other)) or other == 0:
             continue
         ratio = sp.cancel(one / other)

@@ -291,7 +291,7 @@ def _list_entries(task: Task) -> Iterator[PrintedSides]:
     for part in says.parts if isinstance(says, Conjunction) else (says,):
         if not isinstance(part, Equality):
             continue
-        one, other = map(_take_out, (part.printed, part.rebuilt))
+        one, other = map(_take_out, part.sides)
         are_printed = part.printed in printed, part.rebuilt in printed
         if isinstance(one, sp.MatrixBase) and isinstance(other, sp.MatrixBase):
             pairs = zip(one, other, strict=True) if one.shape == other.shape else ()

@@ -133,7 +133,7 @@ def judge_at_place(
         values = _solve_at_place(residuals, tied, task.domain)
         if not (values and isinstance(says, Equality)):
             return None
-        printed = [task.domain.resolve(side) for side in (says.printed, says.rebuilt)]
+        printed = [task.domain.resolve(side) for side in says.sides]
         sides = [side.xreplace(values) for side in printed]
         if any(side.free_symbols & tied for side in sides):
             return None

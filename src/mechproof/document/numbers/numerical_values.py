@@ -69,7 +69,7 @@ def _list_sides(row: Row, sign: Sign, known: Known) -> list[sp.Expr]:
     """Return the sides of a comparison of prints, with a letter replaced by its first print."""
     if sign.role not in _ROLES or not isinstance(row.says, Equality):
         return []
-    sides = [row.says.printed, row.says.rebuilt]
+    sides = [*row.says.sides]
     if sign.role in _AGAIN:
         first = known.values.get(sign.letter, sign.letter)
         sides = [first if side == sign.letter else side for side in sides]
