@@ -472,6 +472,12 @@ SKEW = r"K=\begin{pmatrix}0&-c\\c&0\end{pmatrix}"
             [],
         ),
         (r"$$x(q)=b\cos q$$ With $q=0$ known, the spring has $$x_1=-b$$", [], ["# claim x=-b"]),
+        # "It" is what the display before defines first.
+        (
+            r"\begin{alignat}{2}x&=b\cos q\\y&=b\end{alignat} It has its least value $b$ at $q=0$.",
+            [r"claim \min_{q}x=b"],
+            [r"claim \min_{q}y=b"],
+        ),
         # A value in one case does not compete with the definition.
         (
             r"With $b=2q+h$ the way is $$y=b+q$$ It is largest at $b=1/2$.",

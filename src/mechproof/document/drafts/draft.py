@@ -102,7 +102,7 @@ def draft_block(source: Source) -> str:
         *propose_values(displays, running, said, inline),
         *propose_relations(source, [*running], displays),
         *propose_conditions(source, [*running], displays),
-        *find_extremes(source, running),
+        *find_extremes(source, displays, running),
         *ask_extremes(displays, running),
         *ask_places(source, displays, running),
         *ask_givens(displays, inline),

@@ -130,7 +130,7 @@ def propose_values(
             is_alone = one.letter in letters and _is_position(one.value, letters)
             is_within = bool(find_example(one.offset, displays))
             if one.is_case or is_alone or is_within:
-                yield from _ask(one.line, line)
+                yield from _propose(one.line, line, is_case=True)
                 continue
             for other, others in say_of_others(one, letters):
                 if name_symbol(other) not in {*defined, *said}:
@@ -140,7 +140,7 @@ def propose_values(
             size = one.write_size(said[name].unit if name in said else "")
             line = f"sizes {one.letter}={size}" if size else ""
         if line:
-            yield from (f"# line {one.line} says:", line)
+            yield from _propose(one.line, line)
             said_too = (x for x in one.others if _has_letter(x, name, letters) and "const" not in x)
             yield from (f"claim {one.letter}={other}" for other in said_too)
     if alike:
@@ -163,10 +163,9 @@ def propose_relations(
         is_letter = name_symbol(call["stem"] if call else left) in names or RATE.fullmatch(left)
         if not is_letter and _has_letter(left, "", letters) and _has_letter(right, "", letters):
             offset = source.text.offsets[match.start()]
-            line = source.files.locate(offset).line
-            is_case = defines_nothing(before) or find_example(offset, displays)
-            said = (f"# line {line} says:", f"claim {left}={right}")
-            yield from _ask(line, said[1]) if is_case else said
+            is_case = defines_nothing(before) or bool(find_example(offset, displays))
+            number = source.files.locate(offset).line
+            yield from _propose(number, f"claim {left}={right}", is_case)
 
 
 def propose_conditions(
@@ -177,13 +176,15 @@ def propose_conditions(
     for match in _CONDITION.finditer(text):
         if _has_letter(match["says"], "", letters):
             offset = source.text.offsets[match.start()]
-            number, line = source.files.locate(offset).line, f"where {match['says'].strip()}"
-            said = (f"# line {number} says:", line)
-            yield from _ask(number, line) if find_example(offset, displays) else said
+            number, is_case = source.files.locate(offset).line, bool(find_example(offset, displays))
+            yield from _propose(number, f"where {match['says'].strip()}", is_case)
 
 
-def _ask(number: int, line: str) -> Iterator[str]:
-    yield from (f"# line {number}: a special case, or does it always hold?", f"# {line}")
+def _propose(number: int, line: str, is_case: bool = False) -> tuple[str, str]:
+    """Return a line of the block with where it is from, as a question if it is about a case."""
+    if is_case:
+        return f"# line {number}: a special case, or does it always hold?", f"# {line}"
+    return f"# line {number} says:", line
 
 
 def _has_letter(value: str, own: str, letters: Sequence[str]) -> bool:
@@ -284,24 +285,26 @@ def ask_functions(letters: Sequence[str], running: Mapping[str, str]) -> Iterato
             yield f"# A value of {name} at a place: say what {name} depends on, {name}(…) :"
 
 
-def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
+def find_extremes(
+    source: Source, displays: Sequence[Printed], running: Mapping[str, str]
+) -> Iterator[str]:
     """Yield claims of largest and least values from sentences, commented out if about a case.
 
     `running` maps the letters of the equations to those that they depend on, or to "".
     """
     names = {name_symbol(letter): letter for letter in running}
-    shown = source.text.string
-    text = hide_displays(shown)
+    text = hide_displays(source.text.string)
     for pattern in _PATTERNS:
         for match in pattern.finditer(text):
             said = match.groupdict()
-            letter = said.get("letter") or _find_letter(shown[: match.start()])
+            offset = source.text.offsets[match.start()]
+            letter = said.get("letter") or _find_letter(displays, offset)
             known = names.get(name_symbol(letter))
             place = EQUATION.match(said["place"]) if said["place"] else None
             by = place["letter"].strip() if place else running.get(known or "", "")
             if known is None or (said["place"] and place is None):
                 continue
-            line = source.files.locate(source.text.offsets[match.start()]).line
+            line = source.files.locate(offset).line
             around = (
                 text[: match.start()].rpartition(".")[2] + text[match.end() :].partition(".")[0]
             )
@@ -315,8 +318,8 @@ def find_extremes(source: Source, running: Mapping[str, str]) -> Iterator[str]:
                 yield from (f"# line {line} says:", f"{mark}claim {claim}")
 
 
-def _find_letter(before: str) -> str:
-    """Return the left side of the last display, or "" if there is no display."""
-    displays = list(DISPLAY.finditer(before))
-    side = displays[-1][0].partition("=")[0] if displays else ""
-    return re.sub(r"\$\$|\\\[|\\begin\{\w+\*?\}|\\label\{[^{}]*\}|&", "", side).strip()
+def _find_letter(displays: Sequence[Printed], offset: int) -> str:
+    """Return the left side of the last display before a place, or "" if there is none."""
+    before = [one for one in displays if one.latex.offsets[0] < offset]
+    first = next((one for one in before if one.group == before[-1].group), None)
+    return first.latex.string.partition("=")[0].strip() if first else ""
