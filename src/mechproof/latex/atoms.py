@@ -11,11 +11,11 @@ import sympy as sp
 from mechproof.latex import calculus, environments, letters, places, printed_derivatives, tree
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import CLOSED_BY, DOTS, NARROW, find_close, measure_depths
-from mechproof.latex.left_scripts import VECTORS
 from mechproof.latex.matrix_meaning import give_inner_product, make_cross_matrix
 from mechproof.latex.measures import read_measure, read_unit
 from mechproof.latex.name_table import find_brace
 from mechproof.latex.numerals import read_number
+from mechproof.latex.printed_commands import VECTORS
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser

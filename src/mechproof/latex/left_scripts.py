@@ -9,23 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechproof.latex.characters import GREEK, is_letter
+from mechproof.latex.printed_commands import ACCENTS, TEXT, UPRIGHT
 from mechproof.latex.printed_relations import RELATIONS
 
 LEFT = "{}"
-# Accents and typefaces of vectors and matrices.
-VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
-DOTTED = (r"\dot", r"\ddot", r"\dddot")
-ACCENTS = (
-    *(*DOTTED, r"\bar", r"\overline", r"\hat", r"\tilde"),
-    *(r"\widehat", r"\widetilde"),
-    *(r"\mathcal", r"\mathscr", r"\mathfrak"),
-    *VECTORS,
-)
-UPRIGHT = (
-    *(r"\textrm", r"\textup", r"\mathsf", r"\mathrm", r"\operatorname", r"\operatorname*"),
-    *(r"\mathop", r"\mathit"),
-)
-TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
 _SCRIPTS = ("^", "_")
 # Signs after which a script has no base to its left.
 _OPERATORS = (

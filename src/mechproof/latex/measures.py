@@ -11,9 +11,8 @@ import sympy as sp
 
 from mechproof.latex import tree
 from mechproof.latex.latex_signs import GAPS, find_command
-from mechproof.latex.left_scripts import TEXT, UPRIGHT
 from mechproof.latex.numerals import read_number
-from mechproof.latex.printed_commands import QUANTITIES
+from mechproof.latex.printed_commands import QUANTITIES, TEXT, UPRIGHT
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF
 

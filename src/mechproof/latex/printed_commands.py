@@ -1,7 +1,8 @@
 """Commands and environments, grouped by what becomes of their arguments."""
 
 # Numbers with units, and units, of siunitx.
-QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
+MEASURES = (r"\SI", r"\qty")
+QUANTITIES = (*MEASURES, r"\si", r"\unit")
 # Commands that mark their argument without changing what it says.
 MARKS = (r"\cancel", r"\bcancel", r"\xcancel", r"\boxed")
 # Commands that put a brace over or under their argument -> the script that labels it.
@@ -21,3 +22,19 @@ ENVIRONMENTS = {
 } | {"array": "matrix", "cases*": "cases", "dcases*": "dcases"}
 # Environments with an argument for their columns.
 WITH_COLUMNS = ("array", *(f"{kind}NiceArray" for kind in ("", "p", "b", "B", "v")))
+# Accents and typefaces of vectors and matrices.
+VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
+# Accents for derivatives by the time, and all accents and typefaces.
+DOTTED = (r"\dot", r"\ddot", r"\dddot")
+ACCENTS = (
+    *(*DOTTED, r"\bar", r"\overline", r"\hat", r"\tilde"),
+    *(r"\widehat", r"\widetilde"),
+    *(r"\mathcal", r"\mathscr", r"\mathfrak"),
+    *VECTORS,
+)
+# Commands for upright letters, and for words.
+UPRIGHT = (
+    *(r"\textrm", r"\textup", r"\mathsf", r"\mathrm", r"\operatorname", r"\operatorname*"),
+    *(r"\mathop", r"\mathit"),
+)
+TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")

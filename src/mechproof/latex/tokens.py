@@ -16,8 +16,9 @@ from mechproof.latex import left_scripts, printed_commands
 from mechproof.latex.characters import read_script
 from mechproof.latex.errors import TOO_DEEP, PrintedText, ReadingError
 from mechproof.latex.latex_signs import GAPS, STAR, Token, find_close, same_sign, split_signs
-from mechproof.latex.left_scripts import ACCENTS, DOTTED, LEFT, TEXT, UPRIGHT, VECTORS
+from mechproof.latex.left_scripts import LEFT
 from mechproof.latex.package_commands import expand_commands
+from mechproof.latex.printed_commands import ACCENTS, DOTTED, TEXT, UPRIGHT, VECTORS
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
@@ -201,7 +202,7 @@ class _Normaliser:
 
     def _read_quantity(self, first: Token) -> list[Token]:
         r"""Read \SI{66}{mm} as a number followed by a unit in upright letters."""
-        number = self._read_number() if first.text in printed_commands.QUANTITIES[:2] else []
+        number = self._read_number() if first.text in printed_commands.MEASURES else []
         start = self.raw[self.place].start if number and self.place < len(self.raw) else first.start
         words, end = self._read_words()
         return [*number, Token(rf"\mathrm{{{words}}}", start, end)]

@@ -9,8 +9,9 @@ import sympy as sp
 
 from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.latex_signs import SUFFIXES, Token, find_command, join
-from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
+from mechproof.latex.left_scripts import LEFT, begins_letter
 from mechproof.latex.name_table import INDEX, Name, find_brace, strip_braces
+from mechproof.latex.printed_commands import ACCENTS, TEXT, UPRIGHT, VECTORS
 from mechproof.latex.printed_functions import AMBIGUOUS
 from mechproof.latex.printed_relations import RELATIONS
 from mechproof.latex.several_equations import ARROWS, EQUIVALENCES

@@ -12,7 +12,8 @@ from itertools import pairwise
 
 from mechproof.latex.characters import is_digit
 from mechproof.latex.latex_signs import find_close, measure_depths
-from mechproof.latex.left_scripts import ACCENTS, DOTTED, begins_letter
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.printed_commands import ACCENTS, DOTTED
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import list_signs
 

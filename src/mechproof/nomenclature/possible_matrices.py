@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
-from mechproof.latex.left_scripts import ACCENTS
+from mechproof.latex.printed_commands import ACCENTS
 from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.shown_letters import name_symbol
 

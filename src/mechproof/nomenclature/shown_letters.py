@@ -12,8 +12,9 @@ import sympy as sp
 
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import TOO_DEEP
-from mechproof.latex.left_scripts import LEFT, VECTORS
+from mechproof.latex.left_scripts import LEFT
 from mechproof.latex.name_table import INDEX, strip_braces
+from mechproof.latex.printed_commands import VECTORS
 from mechproof.latex.printed_functions import FUNCTIONS
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.words import ELSE, IF, OPENS_TEXT, to_text

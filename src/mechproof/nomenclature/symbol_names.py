@@ -16,8 +16,8 @@ from itertools import product
 import sympy as sp
 
 from mechproof.latex.latex_signs import DOUBLE
-from mechproof.latex.left_scripts import ACCENTS
 from mechproof.latex.name_table import to_signs
+from mechproof.latex.printed_commands import ACCENTS
 from mechproof.nomenclature.block import Block, Declared
 from mechproof.nomenclature.shown_letters import name_symbol, show_letter
 from mechproof.record import Variable

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.latex.left_scripts import VECTORS
+from mechproof.latex.printed_commands import VECTORS
 from mechproof.latex.values import Moving
 from mechproof.record import Definition, Equality, Row, Variable
 

@@ -12,7 +12,8 @@ from itertools import pairwise
 
 import sympy as sp
 
-from mechproof.latex.left_scripts import DOTTED, VECTORS, begins_letter
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.printed_commands import DOTTED, VECTORS
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.values import OF_SIGNS, UNSMOOTH, settle_all
 from mechproof.nomenclature.adjacent_letters import RUNNING

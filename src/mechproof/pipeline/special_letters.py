@@ -14,7 +14,8 @@ import sympy as sp
 from sympy.core.symbol import Str
 
 from mechproof.latex.latex_signs import find_close
-from mechproof.latex.left_scripts import ACCENTS, begins_letter
+from mechproof.latex.left_scripts import begins_letter
+from mechproof.latex.printed_commands import ACCENTS
 from mechproof.latex.tokens import list_signs
 from mechproof.nomenclature.shown_letters import name_symbol
 from mechproof.pipeline import moving_letters

@@ -39,7 +39,8 @@ _BRACKETS = {"{": "}", "(": ")"}
 _BRACES = {"{": "}"}
 _EQUALITY = (*EQUAL, r"\approx")
 _OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
-_BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
+_WIDE, _NARROW = (r"\quad", r"\qquad"), (r"\,", r"\;", r"\:", r"\!")
+_BLANK = (*_WIDE, *_NARROW, "\\ ", "&", "~", r"\displaystyle")
 # Signs that continue an equation: \left. precedes the end of a bracket opened on another line.
 _CONTINUING = (*RELATIONS, "+", r"\left.")
 # What may separate an equation from the range of its index.
@@ -241,7 +242,7 @@ def _clean(latex: LocatedText) -> LocatedText:
     found = _RANGE.search(string) or _find_list(string) or _ALL.search(string)
     if found and found.start():
         latex = latex[: found.start()]
-    while latex.string.endswith((*_BLANK[:6], ",\\")):
+    while latex.string.endswith((*_WIDE, *_NARROW, ",\\")):
         latex = latex[: latex.string.rindex("\\")].strip(end=".,;~")
     return latex
 
@@ -287,7 +288,7 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
         return
     signs = list(walk_signs(latex.string))
     words = {found.start(): found.end() for found in _BETWEEN.finditer(latex.string)}
-    places = {p: p for sign, p, depth in signs if sign in _BLANK[:2] and depth == 0}
+    places = {p: p for sign, p, depth in signs if sign in _WIDE and depth == 0}
     places |= {p: words[p] for _, p, depth in signs if p in words and depth == 0}
     start = 0
     for place in sorted(places):
@@ -302,7 +303,7 @@ def cut_gaps(latex: LocatedText) -> Iterator[LocatedText]:
 
 def _begins_with_inequality(string: str) -> bool:
     outside = [sign for sign, _, depth in walk_signs(string) if depth == 0]
-    ends = (n for n, sign in enumerate(outside) if sign in (",", ";", *_BLANK[:2]))
+    ends = (n for n, sign in enumerate(outside) if sign in (",", ";", *_WIDE))
     first = {*outside[: next(ends, 0)]} & {*RELATIONS}
     return bool(first) and first.isdisjoint(_EQUALITY)
 
@@ -317,7 +318,7 @@ def _until_gap(string: str) -> str:
     """Return the text between a gap and the next one."""
     signs = list(walk_signs(string))
     first = next((n for n, s in enumerate(signs) if not (s[0].isspace() or s[0] in _BLANK)), 0)
-    ends = (place for sign, place, depth in signs[first:] if sign in _BLANK[:2] and depth == 0)
+    ends = (place for sign, place, depth in signs[first:] if sign in _WIDE and depth == 0)
     return string[: next(ends, len(string))][signs[first][1] if signs else 0 :]
 
 
