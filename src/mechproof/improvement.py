@@ -22,7 +22,6 @@ import numpy as np
 
 from mechproof.codegen.form_rows import form_rows, number_shipped
 from mechproof.derivation import rewrite_definition
-from mechproof.lab.extended_oracle import name_values
 from mechproof.lab.oracle import ALL_BITS, Errors, Truth, find_errors, find_truth
 from mechproof.lab.sampling.named_sets import REPORT, TUNE, choose_evenly, join
 from mechproof.lab.subject import Subject, find_subjects
@@ -33,8 +32,8 @@ from mechproof.programs.rewrites import REWRITES
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Form, Quantity
-from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import flatten_stage
+from mechproof.roundoff.kernel_runs import name_values, put_points_last, run_stage
+from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.tools.processes import WorkerError, run_tasks
 
 # Share of each set of points that is drawn, and the most points of it that are compared.
@@ -123,9 +122,8 @@ class Candidate:
         """Compute the form in doubles, as its kernel does."""
         (stage,), shape = self.kernel.code.stages, self.kernel.code.shape
         with np.errstate(all="ignore"):
-            straight = flatten_stage(stage.spell_out(), {})
-            given = name_values(self.quantity, self.kernel.code, arguments, np.float64)
-            found = run(straight, given, IN_DOUBLES)
+            given = name_values(self.kernel.code, put_points_last(arguments, np.float64))
+            found = run_stage(stage, given, IN_DOUBLES)
         values = np.stack([np.broadcast_to(v, len(arguments[0])) for v in found], -1)
         return values.reshape(len(values), *shape)
 

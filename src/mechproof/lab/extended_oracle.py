@@ -20,14 +20,12 @@ from mechproof.lab.ways import Arguments, Array
 from mechproof.programs.evaluation import arrange, entries
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.programs.lowering import lower_conditions, lower_steps
-from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import KernelCode, Program
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.step_names import share_subexpressions
-from mechproof.record import Quantity
 from mechproof.record.relations import find_slack
+from mechproof.roundoff.kernel_runs import blend, name_values, put_points_last, run_stage, run_test
 from mechproof.roundoff.running import DIGITS_OF, IN_EXTENDED, IS_LONGER, LONG_DOUBLE, Values, run
-from mechproof.roundoff.steps import flatten_stage
 
 IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
@@ -47,21 +45,18 @@ class Extended:
         given = self._name_values(arguments, LONG_DOUBLE)
         plain = self._name_values(arguments, np.float64)
         with np.errstate(all="ignore"):
-            taken = [_holds(stage.when, plain, IN_PLACE) for stage in self.code.stages]
-            found = [
-                run(flatten_stage(stage.spell_out(), {}), given, IN_EXTENDED)
-                for stage in self.code.stages
-            ]
-            values = found[-1]
-            for here, others in zip(taken[-2::-1], found[-2::-1], strict=True):
-                values = tuple(np.where(here, o, v) for o, v in zip(others, values, strict=True))
+            values = blend(
+                self.code.stages,
+                lambda stage: run_stage(stage, given, IN_EXTENDED),
+                lambda when: run_test(when, plain, IN_PLACE),
+            )
             count = len(arguments[0])
             value = np.stack([np.broadcast_to(v, count) for v in values], -1)
             high = value.astype(float)
             held = np.isfinite(high).all(-1)
             # Decided as a kernel decides it, which rounds an irrational end to a double.
-            held &= _holds(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
-            held &= _holds(self.conditions, given, IN_EXTENDED)
+            held &= run_test(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
+            held &= run_test(self.conditions, given, IN_EXTENDED)
             for slack in run(self.slacks, given, IN_EXTENDED) if self.slacks else ():
                 held &= slack >= 0
             low = (value - high).astype(float)
@@ -90,28 +85,12 @@ class Extended:
 
     def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
         """Return all inputs by name: numbers, components, elements (points on the last axis)."""
-        constants = {name: kind(digits) for name, digits in DIGITS_OF.items()}
-        return {**constants, **name_values(self.subject.quantity, self.code, arguments, kind)}
-
-
-def name_values(
-    quantity: Quantity, code: KernelCode, arguments: Arguments, kind: type[np.floating[Any]]
-) -> Values:
-    """Return the arguments by name, and vectors by the names of their components in the code."""
-    given: Values = {}
-    vectors = dict(code.vectors)
-    for argument, array in zip(quantity.arguments, arguments, strict=True):
-        columns = np.moveaxis(array.astype(kind), 0, -1)
-        if len(argument.symbols) == 1:
-            given[argument.name] = columns
-        else:
-            given |= zip(map(str, argument.symbols), columns, strict=True)
-            given |= zip(vectors[argument.name], columns, strict=True)
-    return given
-
-
-def _holds(condition: Program | None, given: Values, arithmetic: Arithmetic) -> Any:
-    return True if condition is None else run(condition, given, arithmetic)[0]
+        columns = put_points_last(arguments, kind)
+        given: Values = {name: kind(digits) for name, digits in DIGITS_OF.items()}
+        for argument, column in zip(self.subject.quantity.arguments, columns, strict=True):
+            if len(argument.symbols) > 1:
+                given |= zip(map(str, argument.symbols), column, strict=True)
+        return given | name_values(self.code, columns)
 
 
 def extend(subject: Subject) -> Extended | None:

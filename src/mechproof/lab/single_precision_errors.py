@@ -29,14 +29,7 @@ from mechproof.programs.elementary.function_programs import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.program import Stage
-from mechproof.programs.scalar import (
-    ADDED,
-    fold_sums,
-    list_arguments,
-    list_scalars,
-    list_stages,
-    name_domain,
-)
+from mechproof.programs.scalar import ADDED, fold_sums, list_scalars
 from mechproof.record import Paper
 from mechproof.roundoff.climb import (
     BY_BALLS,
@@ -49,8 +42,9 @@ from mechproof.roundoff.climb import (
     climb_and_judge,
     gather,
 )
+from mechproof.roundoff.kernel_runs import blend, name_values, put_points_last, run_stage, run_test
 from mechproof.roundoff.running import IN_DOUBLES, IN_EXTENDED, Values, add_to_odd, find_number, run
-from mechproof.roundoff.steps import CONSTANT, flatten_stage
+from mechproof.roundoff.steps import CONSTANT
 from mechproof.roundoff.term_sums import run_loop
 
 FORMAT = np.float32
@@ -109,9 +103,7 @@ class Singles:
 
     def __init__(self, kernel: Kernel) -> None:
         (folded,), self._loops = fold_sums([kernel])
-        self._code, self._arguments = folded.code, list_arguments(folded)
-        self._inside = name_domain(folded)
-        self._stages = [stage for _, stage in list_stages(folded)]
+        self._code = folded.code
 
     def __call__(self, *arguments: Column) -> Column:
         """Return the values; outside the domain they are NaN."""
@@ -121,13 +113,12 @@ class Singles:
         """Return the values, and where some intermediate value leaves the range of floats."""
         given, count = self._name_values(arguments, FORMAT), len(arguments[0])
         with np.errstate(all="ignore"):
-            value, lost = self._run_stage(self._stages[-1], given, count)
-            for stage in self._stages[-2::-1]:
-                assert stage.when is not None
-                here = np.broadcast_to(run(stage.when, given, IN_SINGLES)[0], count)
-                other, other_lost = self._run_stage(stage, given, count)
-                value = np.where(here[:, np.newaxis], other, value)
-                lost = np.where(here, other_lost, lost)
+            *found, lost = blend(
+                self._code.stages,
+                lambda stage: self._run_stage(stage, given, count),
+                lambda when: run_test(when, given, IN_SINGLES),
+            )
+        value = np.stack([np.broadcast_to(v, count) for v in found], -1)
         size = np.abs(value).max(axis=1)
         lost |= (size > 0) & (size < SMALLEST)
         value = np.where(self.mark_inside(arguments)[:, np.newaxis], value, FORMAT(np.nan))
@@ -139,16 +130,13 @@ class Singles:
         """Return a mask of points in the domain, as decided by numbers of type `kind`."""
         given, count = self._name_values(arguments, kind), len(arguments[0])
         with np.errstate(all="ignore"):
-            held = (
-                run(self._inside, given, self._add_loops(arithmetic))[0] if self._inside else True
-            )
+            held = run_test(self._code.inside, given, self._add_loops(arithmetic))
         return np.broadcast_to(held, count)
 
-    def _run_stage(self, stage: Stage, given: Values, count: int) -> tuple[Column, Column]:
+    def _run_stage(self, stage: Stage, given: Values, count: int) -> tuple[Any, ...]:
         lost = np.zeros(count, bool)
         watched = {kind: partial(_watch, kind, IN_SINGLES[kind], lost) for kind in COMPUTED}
-        found = run(flatten_stage(stage, {}), given, self._add_loops(IN_SINGLES.but(**watched)))
-        return np.stack([np.broadcast_to(v, count) for v in found], -1), lost
+        return *run_stage(stage, given, self._add_loops(IN_SINGLES.but(**watched))), lost
 
     def _add_loops(self, arithmetic: Arithmetic) -> Arithmetic:
         return arithmetic.but(
@@ -157,12 +145,8 @@ class Singles:
 
     def _name_values(self, arguments: Points, kind: type[Any]) -> Values:
         """Return the values of every component; elements to be summed are on the first axes."""
-        given: Values = {"#pi": kind(np.pi), "#e": kind(np.e), "#nan": kind(np.nan)}
-        for argument, array in zip(self._arguments, arguments, strict=True):
-            columns = np.moveaxis(np.asarray(array, kind), 0, -1)
-            pairs = zip(argument.components, columns, strict=True) if argument.width else ()
-            given |= dict(pairs) or {argument.name: columns}
-        return given
+        constants = {"#pi": kind(np.pi), "#e": kind(np.e), "#nan": kind(np.nan)}
+        return {**constants, **name_values(self._code, put_points_last(arguments, kind))}
 
 
 def _watch(kind: str, compute: Callable[..., Any], lost: Column, *operands: Any) -> Any:

@@ -39,6 +39,7 @@ from mechproof.programs.operations import KINDS, VIEWS, Arithmetic, Rounding
 from mechproof.programs.program import KernelCode, Program, Stage, spell_out_forms
 from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
+from mechproof.roundoff.kernel_runs import name_values
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS, run
 
 # Bits of precision, so many that roundings of balls are negligible next to those of doubles.
@@ -214,7 +215,8 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
     telling = 0
     for index in range(count_points(subject, arguments)):
         point = tuple(np.asarray(a[index]) for a in arguments)
-        balls = enclose_stage(_choose_stage(kernel.code, point), _name(kernel.code, point))
+        named = name_values(kernel.code, point)
+        balls = enclose_stage(_choose_stage(kernel.code, named), named)
         for result in _compute_every_way(compute, point):
             values = np.ravel(result)
             for value, ball in zip(values, balls, strict=True):
@@ -237,8 +239,8 @@ def check_meaning(subject: Subject) -> None:
     truth = find_truth(subject, arguments)
     for index, values in enumerate(list_values(subject, arguments)):
         point = tuple(np.asarray(a[index]) for a in arguments)
-        named = _name(kernel.code, point)
-        stage = _choose_stage(kernel.code, point)
+        named = name_values(kernel.code, point)
+        stage = _choose_stage(kernel.code, named)
         form = kernel.forms[kernel.code.stages.index(stage)]
         for ball, value in zip(enclose_stage(stage, named), truth.high[index].flat, strict=True):
             apart = abs(ball - arb(float(value)))
@@ -281,18 +283,8 @@ def _compute_every_way(compute: Compute, point: Arguments) -> Iterator[float | n
         yield compute(many, *others)[blocks.BLOCK // 2]
 
 
-def _choose_stage(code: KernelCode, point: Arguments) -> Stage:
-    named = _name(code, point)
+def _choose_stage(code: KernelCode, named: Mapping[str, float | Array]) -> Stage:
     return next(s for s in code.stages if s.when is None or decide(s.when, named))
-
-
-def _name(code: KernelCode, point: Arguments) -> Mapping[str, float | np.ndarray]:
-    """Return the values of a point by the programs' names, vectors by their components."""
-    parts = dict(code.vectors)
-    named: dict[str, float | np.ndarray] = {}
-    for name, value in zip(code.arguments, point, strict=True):
-        named |= dict(zip(parts[name], value, strict=True)) if name in parts else {name: value}
-    return named
 
 
 def _check_accuracy(subject: Subject) -> None:
