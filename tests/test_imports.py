@@ -109,7 +109,7 @@ LOADED = {
     "ledger": {
         *("sympy", "mechproof.tools.cache", "mechproof.tools.notebook", "mechproof.arithmetic"),
         *("mechproof.latex", "mechproof.statement_domains", "mechproof.ledger", "mechproof.proof"),
-        *("mechproof.record", "mechproof.sources"),
+        *("mechproof.record", "mechproof.sources", "mechproof.tools.json_rows"),
     },
     "codegen": {
         *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),

@@ -13,6 +13,7 @@ are numbered in the order in which they are met.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import asdict, fields, is_dataclass
 from fractions import Fraction
 from glob import escape
@@ -24,17 +25,15 @@ import sympy as sp
 from sympy.core.function import UndefinedFunction
 from sympy.external.gmpy import GROUND_TYPES
 
-from mechproof.proof.verdict import Evidence, Judgement, Verdict
+from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.sources.located_text import Place
 from mechproof.tools.cache import Store, cache_folder, make_key, name_place
+from mechproof.tools.json_rows import read_object
 
 # The rung of a row that no rung could read: the reason may be this machine's (memory, depth of
 # recursion).
 UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
-# Fields of a judgement that are lists of texts.
-LISTED = ("marks", "singular", "cites", "quantities")
 LAYERS = ("record", "latex", "arithmetic", "sources", "statement_domains", "proof")
 
 
@@ -87,21 +86,9 @@ class VerdictCache:
 
 def _read_all(entry: Any) -> tuple[Judgement, ...]:
     """Return the judgements of one key; () if one of them cannot be read."""
-    found = tuple(map(read_judgement, entry)) if isinstance(entry, list) else ()
-    read = tuple(judgement for judgement in found if judgement)
-    return read if len(read) == len(found) else ()
-
-
-def read_judgement(entry: Any) -> Judgement | None:
-    """Read what `asdict` wrote of a judgement; None for anything else."""
-    try:
-        evidence = tuple(Evidence(**item) for item in entry["evidence"])
-        changed: dict[str, Any] = {"verdict": Verdict(entry["verdict"])}
-        changed |= {name: tuple(entry[name]) for name in LISTED}
-        changed["place"] = Place(**entry["place"]) if entry["place"] else None
-        return Judgement(**{**entry, **changed, "evidence": evidence})
-    except (KeyError, TypeError, ValueError):
-        return None
+    with suppress(ValueError, TypeError):
+        return tuple(read_object(Judgement, row, "a row") for row in entry)
+    return ()
 
 
 class NoFingerprintError(TypeError):
