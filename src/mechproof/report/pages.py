@@ -9,8 +9,8 @@ from __future__ import annotations
 import posixpath
 import re
 from base64 import b64encode
-from collections.abc import Container, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Mapping
+from dataclasses import dataclass, field
 from functools import cache, partial
 from html import unescape
 from importlib.metadata import version
@@ -26,7 +26,7 @@ from markupsafe import Markup, escape
 from mechproof.codegen.docstrings import capitalise, describe_unit
 from mechproof.ledger.judged import PLAIN
 from mechproof.proof.anchors import slugify
-from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
+from mechproof.proof.verdict import Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
@@ -45,7 +45,6 @@ from mechproof.tools.made import ForeignFileError
 
 # Evidence beyond this number of items is folded away.
 SHOWN = 4
-NOTHING = Markup()
 # Length of LaTeX above which a formula is folded away, and above which it is no longer typeset.
 LONG, LONGEST = 500, 3000
 MARKED = {**MARKS, "as typed": "its statement was typed by hand, not read from the print"}
@@ -55,43 +54,34 @@ DOI = re.compile(r"(?<=doi )(10\.\d{4,9}/[^\s,;]*[\w/])", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
-class Witness:
-    """A single piece of evidence: what it is, at which point, and the two values."""
-
-    what: Markup
-    at: Sequence[tuple[Markup, str]]
-    printed: str
-    rebuilt: str
-
-
-@dataclass(frozen=True)
 class RowView:
-    """A row of a page; if it has no judgement, `failure` says why.
+    """A row of a page with what is `judged` of it; if nothing is, `failure` may say why.
 
-    `place` is its place in a paper's own source, `sides` say what its two values are.
+    `symbols` map the paper's symbols to their prints, `place` is one in a paper's own source.
     """
 
     anchor: str
     number: str
     look: VerdictStyle
-    is_plain: bool
     marks: tuple[str, ...]
-    printed: Markup
+    printed_latex: str
     read_as: str = ""
-    reason: Markup = NOTHING
-    compared: Markup = NOTHING
-    compared_is_long: bool = False
-    evidence: tuple[Witness, ...] = ()
-    more_evidence: tuple[Witness, ...] = ()
-    corrected: Markup = NOTHING
-    corrected_by: str = ""
-    on: Markup = NOTHING
-    singular: Markup = NOTHING
-    rung: str = ""
+    judged: Judgement | None = None
+    symbols: Mapping[str, str] = field(default_factory=dict)
     checked: str = ""
     failure: str = ""
-    place: str = ""
-    sides: tuple[str, str] = ("", "")
+    place: Place | None = None
+
+    @property
+    def is_plain(self) -> bool:
+        """Return whether the row, judged or for reading only, needs no attention."""
+        return self.judged.verdict in PLAIN if self.judged else not self.look.word
+
+    @property
+    def rung(self) -> str:
+        """Return what shows the verdict, if anything does."""
+        row = self.judged
+        return row.rung if row and row.verdict is not Verdict.NOT_CHECKABLE else ""
 
 
 def name_symbols(paper: Paper) -> dict[str, str]:
@@ -110,69 +100,44 @@ def describe_row(
 
     `checks` tell by the ids of rows whether Coq has checked them.
     """
-    witnesses = tuple(_describe_evidence(item, symbols) for item in row.evidence)
     return RowView(
-        anchor=anchor,
-        number=row.number,
-        look=look_of(row.verdict),
-        is_plain=row.verdict in PLAIN,
-        marks=row.marks,
-        printed=write_print(row.printed_latex),
-        read_as=row.read_as,
-        reason=set_reason(row.reason),
-        compared=_write_compared(row.compared_with),
-        compared_is_long=len(row.compared_with) > LONG,
-        evidence=witnesses[:SHOWN],
-        more_evidence=witnesses[SHOWN:],
-        corrected=write_print(row.corrected_latex),
-        corrected_by=row.corrected_by,
-        on=set_prose(row.on),
-        singular=set_prose(", ".join(row.singular)),
-        rung="" if row.verdict is Verdict.NOT_CHECKABLE else row.rung,
-        checked=checks.get(row.id, ""),
-        place=_say_place(row.place),
-        sides=row.sides,
+        anchor,
+        row.number,
+        look_of(row.verdict),
+        row.marks,
+        row.printed_latex,
+        row.read_as,
+        row,
+        symbols,
+        checks.get(row.id, ""),
+        place=row.place,
     )
 
 
 def describe_failure(row: Row, anchor: str, failure: str) -> RowView:
     """Return the view of a row that could not be judged."""
-    printed = write_print(row.printed_latex)
     return RowView(
-        anchor, row.number, NOT_JUDGED, False, row.marks, printed, row.read_as, failure=failure
+        anchor, row.number, NOT_JUDGED, row.marks, row.printed_latex, row.read_as, failure=failure
     )
 
 
 def describe_left(row: Left, anchor: str) -> RowView:
     """Return the view of a row of a paper's own source that has no verdict."""
-    look, printed = LEFT[row.state], write_print(row.printed_latex)
     says = ". ".join(filter(None, (row.reason, row.remedy)))
-    return RowView(
-        anchor, row.number, look, False, (), printed, failure=says, place=_say_place(row.place)
-    )
+    look, latex = LEFT[row.state], row.printed_latex
+    return RowView(anchor, row.number, look, (), latex, failure=says, place=row.place)
+
+
+def describe_print(row: Row, anchor: str) -> RowView:
+    """Return the view of a row that nobody has judged: its print, and how it is read."""
+    look = VerdictStyle("unjudged", "", "", "")
+    return RowView(anchor, row.number, look, row.marks, row.printed_latex, row.read_as)
 
 
 def _write_compared(latex: str) -> Markup:
     if len(latex) > LONGEST:
         return Markup('<code class="latex">{}</code>').format(latex)
     return write_lines(latex)
-
-
-def _say_place(place: Place | None) -> str:
-    return f"line {place.line}" if place else ""
-
-
-def describe_print(row: Row, anchor: str) -> RowView:
-    """Return the view of a row that nobody has judged: its print, and how it is read."""
-    look = VerdictStyle("unjudged", "", "", "")
-    return RowView(
-        anchor, row.number, look, True, row.marks, write_print(row.printed_latex), row.read_as
-    )
-
-
-def _describe_evidence(item: Evidence, symbols: Mapping[str, str]) -> Witness:
-    at = [(_write_symbol(name, symbols), set_value(value)) for name, value in item.at.items()]
-    return Witness(set_prose(item.what), at, set_numbers(item.printed), set_numbers(item.rebuilt))
 
 
 def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:
@@ -211,14 +176,20 @@ def _environment() -> jinja2.Environment:
     )
     environment.filters |= {
         "cite": _cite,
+        "compared": _write_compared,
+        "numbers": set_numbers,
         "print": write_print,
         "prose": set_prose,
+        "reason": set_reason,
         "slug": slugify,
+        "symbol": _write_symbol,
         "unit": describe_unit,
+        "value": set_value,
         "words": _say,
         "capfirst": capitalise,
     }
     environment.globals |= {"version": version("mechproof"), "meanings": MARKED}
+    environment.globals |= {"shown": SHOWN, "long": LONG}
     return environment
 
 
