@@ -12,7 +12,7 @@ from rich.text import Text
 from mechproof.cli.options import console, say
 from mechproof.latex.changes import Style
 from mechproof.ledger.cards import make_card
-from mechproof.ledger.judged import COUNTED, PLAIN, Ledger, classify, show_totals, sort_findings
+from mechproof.ledger.judged import PLAIN, Ledger, show_totals, sort_by_class, sort_findings
 from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.verdict import Judgement, Left, State, Verdict
 from mechproof.record.papers import WEIGHTS
@@ -127,14 +127,10 @@ def print_left(rows: Sequence[Left]) -> None:
 
 def _print_sums(rows: Sequence[Judgement]) -> None:
     """Print how many rows of each class have each verdict."""
-    counted = Counter((row.verdict, classify(row)) for row in rows)
-    names = [name for name in COUNTED if any(counted[v, name] for v in Verdict)]
-    lines = [
-        [v.value, *(str(counted[v, name] or "") for name in names)]
-        for v in Verdict
-        if any(counted[v, name] for name in names)
-    ]
-    _print_padded([["verdict", *names], *lines])
+    classes = sort_by_class(rows)
+    counted = {name: Counter(row.verdict for row in found) for name, found in classes.items()}
+    lines = [[v.value, *(str(found[v] or "") for found in counted.values())] for v in Verdict]
+    _print_padded([["verdict", *counted], *(line for line in lines if any(line[1:]))])
     say("")
 
 
@@ -194,11 +190,8 @@ def print_details(row: Judgement, names: tuple[str, str] | None = None) -> None:
     lines += [("compared", row.compared_with)] if row.compared_with else []
     lines += [("reason", row.reason), ("rung", row.rung)]
     for item in row.evidence:
-        at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
-        sides = [f"at {at}"] if at else []
-        values = zip(names or row.sides, (item.printed, item.rebuilt), strict=True)
-        sides += [f"{name} {value}" for name, value in values if value]
-        lines.append(("evidence", "; ".join([item.what, *sides])))
+        values = item.list_values(names or row.sides)
+        lines.append(("evidence", "; ".join([item.what, *values])))
     if row.corrected_latex:
         proof = f"   (proved: {row.corrected_by})" if row.corrected_by else ""
         lines.append(("corrected", row.corrected_latex + proof))

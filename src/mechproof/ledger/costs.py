@@ -41,10 +41,10 @@ def _lead(name: str) -> str:
 def show_witness(row: Judgement) -> Iterator[LedgerCost]:
     """Yield the values of both sides where they were first found to differ."""
     for item in row.evidence[:1]:
-        at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
-        if at:
-            yield LedgerCost(f"at {at}", {name: value for name, value in sides if value})
+        if item.at:
+            at, *_ = item.list_values(row.sides)
+            yield LedgerCost(at, {name: value for name, value in sides if value})
         elif row.rung == RECOMPUTATION and item.rebuilt:
             yield _show_number(row, item)
 

@@ -115,10 +115,15 @@ def classify(judgement: Judgement) -> str:
     return KERNELS if judgement.quantities else OURS
 
 
+def sort_by_class(judgements: Sequence[Judgement]) -> dict[str, list[Judgement]]:
+    """Return the rows of each class that occurs, as they are counted."""
+    found = {name: [j for j in judgements if classify(j) == name] for name in COUNTED}
+    return {name: rows for name, rows in found.items() if rows}
+
+
 def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
     """Return a line for each class of rows with its verdicts in order, without a total."""
-    found = {name: [j for j in judgements if classify(j) == name] for name in COUNTED}
-    return {name: _count(rows) for name, rows in found.items() if rows}
+    return {name: _count(rows) for name, rows in sort_by_class(judgements).items()}
 
 
 def _count(judgements: Sequence[Judgement]) -> str:
@@ -268,8 +273,5 @@ def _details(j: Judgement) -> str:
 
 
 def _describe(item: Evidence) -> str:
-    at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
-    sides = [f"printed {item.printed}" if item.printed else ""]
-    sides += [f"rebuilt {item.rebuilt}" if item.rebuilt else ""]
-    values = "; ".join(part for part in (f"at {at}" if at else "", *sides) if part)
+    values = "; ".join(item.list_values(("printed", "rebuilt")))
     return f"{_escape(item.what)}" + (f": `{values}`" if values else "")

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
+from mechproof.codegen.docstrings import capitalise
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
 from mechproof.document import checking, judging_workers
 from mechproof.ledger.judged import JudgedPaper, Ledger, Origin
@@ -322,10 +323,8 @@ def _describe_refusal(row: Judgement) -> str:
     text = f"{row.number} is {row.verdict}, but only proved rows are shipped: {row.reason}"
     if where is None:
         return text
-    at = ", ".join(f"{name} = {value}" for name, value in where.at.items())
-    sides = (("its source gives", where.printed), ("the definition", where.rebuilt))
-    values = ", ".join(f"{name} {value}" for name, value in sides if value)
-    return f"{text} At {at}: {values or where.what}."
+    at, *values = where.list_values(("its source gives", "the definition"))
+    return f"{text} {capitalise(at)}: {', '.join(values) or where.what}."
 
 
 def _judge(task: tuple[Path, int]) -> tuple[Judgement, ...]:

@@ -118,6 +118,12 @@ class Evidence:
     rebuilt: str = ""
     dimension: str = ""
 
+    def list_values(self, sides: tuple[str, str]) -> list[str]:
+        """List the point and both sides under their names, as far as there are any."""
+        at = ", ".join(f"{name} = {value}" for name, value in self.at.items())
+        values = zip(("at", *sides), (at, self.printed, self.rebuilt), strict=True)
+        return [f"{name} {value}" for name, value in values if value]
+
     def as_dict(self) -> dict[str, object]:
         """Return the record that goes into the ledger; empty fields are left out."""
         fields: dict[str, object] = {"what": self.what}

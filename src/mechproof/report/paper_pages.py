@@ -10,7 +10,7 @@ import sympy as sp
 from markupsafe import Markup
 
 from mechproof.ledger.cards import Card, make_card
-from mechproof.ledger.judged import COUNTED, OURS, JudgedPaper, classify
+from mechproof.ledger.judged import OURS, JudgedPaper, classify, sort_by_class
 from mechproof.ledger.ledger_findings import LedgerFinding
 from mechproof.proof.anchors import find_only_equation, name_anchors, name_equation
 from mechproof.proof.comparison_latex import write_latex, write_letter
@@ -175,10 +175,8 @@ def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> Findin
 
 def count_totals(judgements: Sequence[Judgement]) -> Iterator[Total]:
     """Yield the verdict counts of each class of rows, without a sum over classes."""
-    for name in COUNTED:
-        rows = [row for row in judgements if classify(row) == name]
-        if rows:
-            yield Total(name, count_verdicts(rows))
+    for name, rows in sort_by_class(judgements).items():
+        yield Total(name, count_verdicts(rows))
 
 
 def count_verdicts(judgements: Sequence[Judgement]) -> tuple[Count, ...]:
