@@ -9,6 +9,7 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.options import (
+    ending,
     fail,
     find_locations,
     find_places,
@@ -93,11 +94,9 @@ def certify(
         limit=limit,
         progress=show_progress,
     )
-    try:
+    with ending(PipelineError, fail):
         for done in stages:
             _describe(done, out)
-    except PipelineError as error:
-        fail(str(error))
 
 
 def _prove_functions(out: Path) -> None:
@@ -105,11 +104,9 @@ def _prove_functions(out: Path) -> None:
     from mechproof.coq.checker import CheckerError
     from mechproof.pipeline.bound_scripts import DIGITS, prove_functions_in_coq
 
-    try:
-        with show_progress("running Coq") as report:
-            found = prove_functions_in_coq(out, report)
-    except (CheckerError, ForeignFileError, OSError) as error:
-        fail(str(error))
+    refused = (CheckerError, ForeignFileError, OSError)
+    with ending(refused, fail), show_progress("running Coq") as report:
+        found = prove_functions_in_coq(out, report)
     for one in found:
         told = f"no proof in Coq: {one.reason}"
         if one.bound is not None:

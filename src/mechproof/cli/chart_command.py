@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.options import fail, find_locations, find_places, refuse, say
+from mechproof.cli.options import ending, fail, find_locations, find_places, refuse, say
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.measured import MADE_BY, Record, find_all_files, find_files, goes_by, read_record
 
@@ -102,10 +102,8 @@ def _read(folder: Path | None, names: tuple[str, ...]) -> list[Record]:
     chosen = _choose(_list_sources(folder), names)
     if any(Path(str(file)).is_relative_to(OWN) for file in chosen.values()):
         say(f"records: {', '.join(sorted({str(Path(str(f)).parent) for f in chosen.values()}))}")
-    try:
+    with ending(ValueError, refuse):
         return [read_record(file) for file in chosen.values()]
-    except ValueError as error:
-        refuse(str(error))
 
 
 def _list_sources(folder: Path | None) -> list[Files]:

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from mechproof.cli import options
 from mechproof.cli.ledger_command import STYLES, count, print_details, print_left
-from mechproof.cli.options import fail, refuse, say, show_progress
+from mechproof.cli.options import ending, fail, refuse, say, show_progress
 from mechproof.document.checked_rows import CheckedRow, rows_to_json
 from mechproof.document.checking import CheckedPaper, check as check_paper
 from mechproof.document.drafts.draft import draft_block
@@ -130,14 +130,12 @@ def _check_files(
     checked: list[CheckedPaper] = []
     for file in files:
         content = sys.stdin.read() if file == STDIN else None
-        try:
+        with ending(ValueError, refuse):
             if draft:
                 say(draft_block(read_source(file, content)))
                 continue
             with show_progress(f"checking {file}") as report:
                 checked.append(check_paper(file, content, limit=limit, report=report))
-        except ValueError as error:
-            refuse(str(error))
         print_checked(checked[-1], show_all=show_all)
     rows = [row for paper in checked for row in paper.rows]
     if checked:

@@ -24,6 +24,7 @@ from mechproof.cli.options import (
     RULE,
     Places,
     console,
+    ending,
     fail,
     find_locations,
     find_places,
@@ -130,7 +131,7 @@ def verify(
     outcomes = options.read_outcomes(fail_on, UNDECIDED)
     locations = find_locations(papers or (), find_places(derivations, root), SUFFIXES)
     options.clear_json(json_file)
-    try:
+    with ending(PipelineError, fail):
         ledgers = read_ledgers(
             locations, use_cache=not no_cache, limit=limit, progress=show_progress
         )
@@ -138,8 +139,6 @@ def verify(
             options.write_json(json_file, to_json(ledgers))
         print_ledgers(ledgers, show_findings=show_findings, show_all=show_all)
         refuse_failures(ledgers)
-    except PipelineError as error:
-        fail(str(error))
     if any(ledger.outcomes & outcomes for ledger in ledgers):
         raise typer.Exit(1)
 
@@ -181,7 +180,7 @@ def regenerate(
         offer_forms((), places, write=True, limit=SEARCH_LIMIT)
     from mechproof.pipeline import stages
 
-    try:
+    with ending(PipelineError, fail):
         done = stages.regenerate(
             find_locations((), places),
             places.generated,
@@ -190,8 +189,6 @@ def regenerate(
             limit=limit,
             progress=show_progress,
         )
-    except PipelineError as error:
-        fail(str(error))
     for change in done.changes:
         step = f"{'removed' if change.is_removal else 'wrote'} {change.name}"
         say(change.describe() if check else step)
@@ -233,7 +230,7 @@ def measure(
     from mechproof.pipeline import stages
 
     directory = None if places.is_packaged else places.derivations
-    try:
+    with ending(ValueError, refuse), ending(DerivationError, fail):
         measured = stages.measure(
             quantities or (),
             directory,
@@ -242,15 +239,9 @@ def measure(
             processes=processes,
             progress=show_progress,
         )
-    except DerivationError as error:
-        fail(str(error))
-    except ValueError as error:
-        refuse(str(error))
-    try:
+    with ending(PipelineError, fail):
         for file, headline in measured:
             say(f"{file}: {headline}" if headline else str(file))
-    except PipelineError as error:
-        fail(str(error))
 
 
 def _count(changes: Sequence[Change], check: bool) -> str:

@@ -11,6 +11,7 @@ import typer
 from mechproof.cli import options
 from mechproof.cli.options import (
     Places,
+    ending,
     fail,
     find_locations,
     find_places,
@@ -186,12 +187,8 @@ def _emit_tailored(
     from mechproof.tailoring import tailor
 
     arguments: dict[str, Any] = {**sizes}
-    try:
+    with ending((ValueError, TypeError), refuse), ending(DerivationError, fail):
         kernel = tailor(names[0], error=error, derivations=folder, **arguments)
-    except (ValueError, TypeError) as wrong:
-        refuse(str(wrong))
-    except DerivationError as failed:
-        fail(str(failed))
     say(repr(kernel))
     try:
         files = kernel.write_c(out, name=called)
@@ -226,7 +223,7 @@ def _read_size(text: str) -> tuple[str, float | tuple[float, ...]]:
 
 def _write_all(emitted: Iterable[Emitted], out: Path, *, must_have: bool = False) -> None:
     """Write files as they come; fail if there `must_have` been some but there are none."""
-    try:
+    with ending(PipelineError, fail):
         for one in emitted:
             if must_have and not one.files:
                 fail(*one.left_out)
@@ -234,16 +231,12 @@ def _write_all(emitted: Iterable[Emitted], out: Path, *, must_have: bool = False
                 say(f"left out: {reason}")
             for name, text in one.files.items():
                 _write(out / name, text)
-    except PipelineError as error:
-        fail(str(error))
 
 
 def _write(file: Path, text: str) -> None:
     # A Makefile that somebody else wrote is left alone.
     if file.name == "Makefile" and file.exists():
         return
-    try:
+    with ending(OSError, fail, "--out: "):
         write_whole(file, text)
-    except OSError as error:
-        fail(f"--out: {error}")
     say(str(file))

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli import options
-from mechproof.cli.options import Places, fail, find_places, refuse, say, show_progress
+from mechproof.cli.options import Places, ending, fail, find_places, refuse, say, show_progress
 from mechproof.derivation import DerivationError, add_chosen
 from mechproof.tools.processes import WorkerError
 
@@ -63,7 +63,7 @@ def offer_forms(names: Sequence[str], places: Places, *, write: bool, limit: flo
 
     directory = None if places.is_packaged else places.derivations
     succeeded = True
-    try:
+    with ending(ValueError, refuse), ending(DerivationError, fail):
         with show_progress("searching for better forms") as report:
             offers = list(find_offers(names, directory, limit=limit, report=report))
         for subject, offer in offers:
@@ -75,8 +75,4 @@ def offer_forms(names: Sequence[str], places: Places, *, write: bool, limit: flo
             if write and offer.found and subject.origin:
                 chosen = {subject.quantity.name: offer.rewrites}
                 say(f"wrote {add_chosen(subject.origin[0], chosen)}")
-    except DerivationError as error:
-        fail(str(error))
-    except ValueError as error:
-        refuse(str(error))
     return succeeded

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from mechproof.cli.options import refuse, say
+from mechproof.cli.options import ending, refuse, say
 from mechproof.document.transcription import Transcription
 from mechproof.record import RESERVED
 from mechproof.record.exactness import is_name
@@ -53,10 +53,8 @@ def _write_derivation(file: Path) -> str:
     source = next((one for one in beside if one.is_file()), None)
     if source is None:
         return _fill("derivation.txt", values)
-    try:
+    with ending(ValueError, refuse):
         letters = [v.symbol.name for v in Transcription(source).variables]
-    except ValueError as error:
-        refuse(str(error))
     names = [name for name in letters if is_name(name)]
     symbols = f'{", ".join(names)}{","[: len(names) == 1]} = PRINT.symbols("{" ".join(names)}")\n'
     return _fill(

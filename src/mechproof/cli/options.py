@@ -52,6 +52,19 @@ def _complain(message: str) -> None:
 
 
 @contextmanager
+def ending(
+    kinds: type[Exception] | tuple[type[Exception], ...],
+    end: Callable[[str], NoReturn],
+    said: str = "",
+) -> Iterator[None]:
+    """End the command with what was `said` and the message of an error of these kinds."""
+    try:
+        yield
+    except kinds as error:
+        end(f"{said}{error}")
+
+
+@contextmanager
 def show_progress(title: str) -> Iterator[Callable[[str], None]]:
     """Show progress on a terminal, redrawn only on reports, as forking is unsafe with a thread."""
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
@@ -137,13 +150,11 @@ def find_location(name: str, directory: Path, sources: Sequence[str] = ()) -> Pa
 
 def find_locations(names: Iterable[str], places: Places, sources: Sequence[str] = ()) -> list[Path]:
     """Return the places of named papers, or of all derivations if none is named."""
-    try:
+    with ending(DerivationError, fail):
         if names:
             found = dict.fromkeys(names)
             return [find_location(name, places.derivations, sources) for name in found]
         locations = list(find_systems(places.derivations).values())
-    except DerivationError as error:
-        fail(str(error))
     if not locations:
         refuse(f"there is no derivation in {places.derivations}")
     return locations

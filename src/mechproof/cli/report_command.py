@@ -9,6 +9,7 @@ import typer
 
 from mechproof.cli import options
 from mechproof.cli.options import (
+    ending,
     fail,
     find_locations,
     find_places,
@@ -52,7 +53,7 @@ def report(
 
     target = _find_target(out, is_file=single)
     locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
-    try:
+    with ending(PipelineError, fail), ending(OSError, fail, "--out: "):
         count, failures = write_report(
             locations,
             target,
@@ -61,10 +62,6 @@ def report(
             limit=limit,
             progress=show_progress,
         )
-    except PipelineError as error:
-        fail(str(error))
-    except OSError as error:
-        fail(f"--out: {error}")
     say(f"wrote {target}" if single else f"{target}: {count} files; open {target / 'index.html'}")
     if failures:
         fail("\n".join(failures))
@@ -75,8 +72,6 @@ def _find_target(out: str | None, *, is_file: bool) -> Path:
     from mechproof.report import check_file, check_folder
 
     target = read_out(("report.html" if is_file else "report") if out is None else out, is_file)
-    try:
+    with ending(ForeignFileError, refuse, "--out "):
         (check_file if is_file else check_folder)(target)
-    except ForeignFileError as error:
-        refuse(f"--out {error}")
     return target
