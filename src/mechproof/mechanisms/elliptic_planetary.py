@@ -60,9 +60,7 @@ class EllipticPlanetary(Drive):
 
     def __post_init__(self) -> None:
         """Check the parameters and convert them to floats."""
-        for name in ("R1", "R2", "e"):
-            given = Units().take(name, getattr(self, name), "1" if name == "e" else "mm")
-            object.__setattr__(self, name, check_real(name, given))
+        Units().set_fields(self, {"R1": "mm", "R2": "mm", "e": "1"})
         check_domain(kernels.DOMAIN, asdict(self))
 
     @classmethod

@@ -71,8 +71,7 @@ class CylindricalPair:
 
     def __post_init__(self) -> None:
         """Check the parameters; exact ones stay exact."""
-        for name, radius in asdict(self).items():
-            object.__setattr__(self, name, check_size(name, Units().take(name, radius, "mm")))
+        Units().set_fields(self, dict.fromkeys(asdict(self), "mm"), check_size)
 
 
 def check_size(name: str, value: Any, kernel_name: str = "") -> Number:

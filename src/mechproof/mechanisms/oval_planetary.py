@@ -83,7 +83,7 @@ class OvalPlanetary(Drive):
         """Check the parameters; exact ones stay exact."""
         if not isinstance(self.pair, OvalPair | CylindricalPair):
             refuse("pair", self.pair, "must be an OvalPair or a CylindricalPair", TypeError)
-        object.__setattr__(self, "e2", check_size("e2", Units().take("e2", self.e2, "1")))
+        Units().set_fields(self, {"e2": "1"}, check_size)
 
     @classmethod
     def published(cls, variant: int) -> OvalPlanetary:

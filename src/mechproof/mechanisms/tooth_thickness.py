@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.scalars import check_count, check_real
+from mechproof.arguments.scalars import check_count
 from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.inversion import follow_kind, invert
@@ -68,12 +68,9 @@ class ToothThickness(Displayed):
 
     def __post_init__(self, degrees: bool) -> None:
         """Check the parameters and convert them."""
-        units = Units(degrees)
-        for name, unit in (("m", "mm"), ("alpha", "rad")):
-            # The default angle is in radians.
-            is_usual = name == "alpha" and self.alpha is ToothThickness.alpha
-            given = getattr(self, name) if is_usual else units.take(name, getattr(self, name), unit)
-            object.__setattr__(self, name, check_real(name, given))
+        # The default angle is in radians.
+        angle = {} if self.alpha is ToothThickness.alpha else {"alpha": "rad"}
+        Units(degrees).set_fields(self, {"m": "mm", **angle})
         # From z = 4 on, the flank's tangent is within a right angle of the axis up to the tip.
         object.__setattr__(self, "z", check_count("z", self.z, least=4))
         check_domain(kernels.DOMAIN, asdict(self))

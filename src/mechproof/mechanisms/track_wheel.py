@@ -118,12 +118,8 @@ class TrackWheel(Displayed):
     def __post_init__(self, degrees: bool) -> None:
         """Check the parameters and convert them."""
         units = Units(degrees)
-        for name in ("R", "A", "H"):
-            given = units.take(name, getattr(self, name), "mm")
-            object.__setattr__(self, name, check_real(name, given))
-        for name, unit in (("angles", "rad"), ("shift", "mm")):
-            given = units.take(name, getattr(self, name), unit)
-            object.__setattr__(self, name, check_triple(name, given))
+        units.set_fields(self, {"R": "mm", "A": "mm", "H": "mm"})
+        units.set_fields(self, {"angles": "rad", "shift": "mm"}, check_triple)
         object.__setattr__(self, "z", check_count("z", self.z))
         check_domain(kernels.DOMAIN, {name: getattr(self, name) for name in ("R", "A", "z", "H")})
 

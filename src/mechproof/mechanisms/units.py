@@ -6,14 +6,14 @@ degrees is multiplied once, so that an angle has a relative error of 1.5 eps.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import degrees as to_degrees
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from mechproof.arguments.array_checks import check_flag
-from mechproof.arguments.scalars import PLAIN, refuse, require
+from mechproof.arguments.scalars import PLAIN, check_real, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 
 # The fields that are angles, and their unit.
@@ -80,6 +80,17 @@ class Units:
         if not (self.degrees and unit.startswith("rad")):
             return value
         return np.radians(as_floats(name, value)[0])
+
+    def set_fields(
+        self,
+        record: object,
+        units: Mapping[str, str],
+        check: Callable[[str, Any], Any] = check_real,
+    ) -> None:
+        """Replace fields of a frozen record by what the `check` makes of them in these units."""
+        for name, unit in units.items():
+            given = self.take(name, getattr(record, name), unit)
+            object.__setattr__(record, name, check(name, given))
 
     def _convert(self, name: str, value: Any, unit: str) -> Any:
         require(not self.degrees, name, value, "has a unit; leave out degrees")

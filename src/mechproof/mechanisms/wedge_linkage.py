@@ -79,10 +79,8 @@ class WedgeLinkage(Displayed):
 
     def __post_init__(self, degrees: bool) -> None:
         """Check the sizes and convert them to floats."""
-        units = Units(degrees)
-        for name, size in asdict(self).items():
-            given = units.take(name, size, "rad" if name.startswith("alpha") else "mm")
-            object.__setattr__(self, name, check_real(name, given))
+        units = {name: "rad" if name.startswith("alpha") else "mm" for name in asdict(self)}
+        Units(degrees).set_fields(self, units)
         check_domain(kernels.DOMAIN, asdict(self))
 
     @classmethod
