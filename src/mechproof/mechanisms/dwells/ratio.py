@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
 from mechproof.mechanisms.dwells.ball_decisions import Open, as_ball, is_above, sure
+from mechproof.mechanisms.oval_pairs import OnePair, classify
 
 End = Any  # a Fraction, or a ball
 
@@ -35,14 +36,8 @@ class Speeds(NamedTuple):
     least: Fraction
     largest: Fraction
 
-    def angle(self, e: float, speed: Fraction) -> float:
-        """Return x in [0, pi] where the speed is passed."""
-        k, u = float(self.k), float(speed)
-        cosine = (1 + e * e - k / u * (1 - e * e)) / (2 * e)
-        return math.acos(min(1.0, max(-1.0, cosine)))
-
-    def ball_angle(self, e: Fraction, speed: Fraction) -> Any:
-        """Return that angle as a ball, limited to [0, pi]."""
+    def angle(self, e: Fraction, speed: Fraction) -> Any:
+        """Return x where the wheel has a speed, as a ball, limited to [0, pi]."""
         exact = (1 + e * e - self.k / speed * (1 - e * e)) / (2 * e)
         if not -1 < exact < 1:
             return as_ball(0) if exact >= 1 else as_ball(1).pi()
@@ -51,16 +46,10 @@ class Speeds(NamedTuple):
 
 def find_longest(k: Fraction, e: Fraction, eta: Fraction) -> float:
     """Return the longest carrier angle over which |ratio| <= eta."""
-    speeds, b = Speeds(k, 1 - eta, 1 + eta), float(e)
-    at_pi, at_0 = k * (1 - e) / (1 + e), k * (1 + e) / (1 - e)
-    if at_pi > speeds.largest or at_0 < speeds.least:
-        return 0.0
-    if at_pi >= speeds.least and at_0 <= speeds.largest:
+    found = classify(OnePair(k, e, 1 - e, 0.0), eta)
+    if found.kind == "rest":
         return math.inf
-    first = 0.0 if at_0 <= speeds.largest else speeds.angle(b, speeds.largest)
-    last = math.pi if at_pi >= speeds.least else speeds.angle(b, speeds.least)
-    both = 2 if first == 0.0 or last == math.pi else 1
-    return both * (last - first) / (2 * float(k))
+    return max((end - start for start, end in found.rests), default=0.0)
 
 
 def find_spans(k: Fraction, asked: RestRequest) -> list[Span]:
@@ -163,7 +152,7 @@ def _find_between(speeds: Speeds, half: Any, asked: RestRequest) -> list[tuple[E
         return []
 
     def spare(e: Fraction) -> Any:
-        return speeds.ball_angle(e, least) - speeds.ball_angle(e, largest) - 2 * half
+        return speeds.angle(e, least) - speeds.angle(e, largest) - 2 * half
 
     if start == 0 or spare(start) < 0:
         return []
