@@ -269,12 +269,10 @@ class _Evaluation:
 
 def _round(ball: arb) -> Ball:
     """Return the double that is nearest to both ends of a ball."""
-    ends = []
-    for end in (ball.lower(), ball.upper()):
-        mantissa, exponent = end.man_exp()
-        ends.append(float(Fraction(int(mantissa)) * Fraction(2) ** int(exponent)))
-    _require(ends[0] == ends[1], "rounding not decided at this precision")
-    return ends[0]
+    exact = (end.fmpq() for end in (ball.lower(), ball.upper()))
+    low, high = (float(Fraction(int(end.p), int(end.q))) for end in exact)
+    _require(low == high, "rounding not decided at this precision")
+    return low
 
 
 def _call(kind: str, value: np.float64) -> np.float64:

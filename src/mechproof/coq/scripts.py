@@ -185,15 +185,11 @@ def _enclose(part: sp.Expr, values: Mapping[sp.Basic, flint.arb]) -> tuple[int, 
     ball = balls.evaluate(part, values, _BITS)
     if not ball.is_finite():
         raise UnwritableError("a number in it could not be enclosed")
-    middle, radius = (_to_fraction(end) for end in (ball.mid(), ball.rad()))
+    exact = (end.fmpq() for end in (ball.mid(), ball.rad()))
+    middle, radius = (Fraction(int(end.p), int(end.q)) for end in exact)
     places = next(n for n in range(_PLACES, -_PLACES, -1) if radius * Fraction(10) ** n < 1)
     near = floor(middle * Fraction(10) ** places)
     return near - 2, near + 3, places
-
-
-def _to_fraction(number: flint.arb) -> Fraction:
-    mantissa, exponent = number.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def write_script(title: str, theorems: Sequence[Theorem], plain: int = PLAIN) -> str:
