@@ -108,9 +108,7 @@ class PaperView:
     no verdict.
     """
 
-    system: str
-    citation: str
-    conventions: str
+    paper: Paper
     totals: tuple[Total, ...]
     found: tuple[Count, ...]
     ours: tuple[Count, ...]
@@ -123,7 +121,6 @@ class PaperView:
     loose: tuple[str, ...]
     printed_symbols: tuple[SymbolView, ...]
     own_symbols: tuple[SymbolView, ...]
-    quantities: tuple[tuple[str, str], ...]
 
 
 def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> PaperView:
@@ -136,9 +133,7 @@ def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> Pape
     on_page = {entry.row.number for section in sections for entry in section.entries}
     shown_rows = [row for row in ledger.judgements if row.number in on_page]
     return PaperView(
-        system=paper.system,
-        citation=paper.reference,
-        conventions=paper.conventions,
+        paper=paper,
         totals=tuple(count_totals(ledger.judgements)),
         found=count_verdicts([row for row in ledger.judgements if "ours" not in row.marks]),
         ours=count_verdicts([row for row in shown_rows if classify(row) == OURS]),
@@ -151,7 +146,6 @@ def describe_paper(source: JudgedDerivation, figures: Mapping[str, str]) -> Pape
         loose=tuple(name for name in figures if name not in shown),
         printed_symbols=tuple(_describe_symbol(v, paper) for v in paper.variables if v.latex),
         own_symbols=tuple(_describe_symbol(v, paper) for v in paper.variables if not v.latex),
-        quantities=tuple((quantity.name, quantity.summary) for quantity in paper.quantities),
     )
 
 

@@ -84,11 +84,7 @@ class Measured:
 class QuantityView:
     """The page of a quantity."""
 
-    system: str
-    name: str
-    summary: str
-    source: str
-    unit: str
+    quantity: Quantity
     arguments: tuple[ArgumentView, ...]
     formula: Markup
     given: tuple[Markup, ...]
@@ -118,11 +114,7 @@ def describe_quantities(source: JudgedDerivation) -> Iterator[QuantityView]:
         kernel = kernels.get(quantity.name)
         forms = told[quantity.name].forms
         yield QuantityView(
-            system=paper.system,
-            name=quantity.name,
-            summary=quantity.summary,
-            source=quantity.source,
-            unit=docstrings.describe_unit(quantity.unit),
+            quantity=quantity,
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
             formula=write_definition(quantity, paper),
             given=tuple(write_given(quantity, paper)),

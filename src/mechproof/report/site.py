@@ -151,25 +151,23 @@ def _describe(
     """Write the pages of a paper and of its quantities, and its part of the start page."""
     own = _list_pictures([source])
     after = {name: pictures[name].after for name in list_figures(source.location)}
-    paper, quantities = describe_paper(source, after), tuple(describe_quantities(source))
-    about = {"up": "../", "systems": systems, "system": paper.system, "pictures": pictures}
-    files = {
-        f"papers/{paper.system}.html": render(
-            "paper", **about, is_paper=True, paper=paper, glossary=f"../{INDEX}"
-        )
-    }
-    for quantity in quantities:
-        files[f"quantities/{quantity.system}.{quantity.name}.html"] = render(
-            "quantity", **about, is_paper=False, quantity=quantity, glossary=f"../{INDEX}"
+    view, quantities = describe_paper(source, after), tuple(describe_quantities(source))
+    paper = source.ledger.paper
+    about: dict[str, object] = {"up": "../", "glossary": f"../{INDEX}", "pictures": pictures}
+    about |= {"paper": paper, "system": paper.system, "systems": systems}
+    files = {f"papers/{paper.system}.html": render("paper", **about, is_paper=True, view=view)}
+    for one in quantities:
+        files[f"quantities/{paper.system}.{one.quantity.name}.html"] = render(
+            "quantity", **about, is_paper=False, view=one, quantity=one.quantity
         )
     return Share(
         files,
-        render("card", paper=paper),
+        render("card", paper=paper, view=view),
         [
             (int(finding.found.weight), render("finding", finding=finding))
-            for finding in paper.findings
+            for finding in view.findings
         ],
-        _list_met(paper, quantities),
+        _list_met(view, quantities),
         [record.quantity for record in source.records],
         [f"{name}: {pictures[name].failure}" for name in own if pictures[name].failure],
     )
