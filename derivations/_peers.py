@@ -1,4 +1,4 @@
-"""Ways to integrate a ratio common to several papers: summing samples, solving the equation."""
+"""Common to peers and points: arrays; ways to integrate a ratio, by samples and by solving."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from mechproof.record import Peer
 
 Array = NDArray[np.float64]
+Arguments = tuple[Array, ...]
+Draw = Callable[[np.random.Generator], Arguments]
 
 
 def sum_by_simpson(ratio: Callable[..., Any], note: str = "") -> Peer:

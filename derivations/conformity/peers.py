@@ -6,14 +6,13 @@ from importlib import import_module
 from importlib.util import find_spec
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.conformity import Normal, simulate_shares
 from mechproof.record import Peer
 
+from .._peers import Array
 from . import CONFORMING, DEFINITIONS
 
-Array = NDArray[np.float64]
 Share = Callable[..., Array]
 SEED = 20221
 POSITIVE = "positive quadrature"

@@ -9,13 +9,10 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._peers import Arguments, Array, Draw
 from . import DEFINITIONS
 
-Array = NDArray[np.float64]
-Arguments = tuple[Array, ...]
-Draw = Callable[[np.random.Generator], Arguments]
 Cell = Mapping[str, tuple[float, float]]
 
 SETS = 80

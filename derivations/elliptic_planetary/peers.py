@@ -4,14 +4,12 @@ from collections.abc import Mapping
 from importlib.util import find_spec
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.record import Peer
 
-from .._peers import solve_by_steps, sum_by_simpson
+from .._peers import Array, solve_by_steps, sum_by_simpson
 
-Array = NDArray[np.float64]
 KNOTS = 1024
 
 

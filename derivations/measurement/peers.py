@@ -3,12 +3,11 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.measurement import evaluate_type_a
 from mechproof.record import Peer
 
-Array = NDArray[np.float64]
+from .._peers import Array
 
 
 def centred_twice(rows: Array) -> Array:

@@ -6,10 +6,8 @@
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
-Arguments = tuple[NDArray[np.float64], ...]
-Draw = Callable[[np.random.Generator], Arguments]
+from .._peers import Arguments, Draw
 
 READINGS = 12
 SERIES = 60

@@ -4,14 +4,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.record import Peer
 
-from .._peers import solve_by_steps, sum_by_simpson
-
-Array = NDArray[np.float64]
+from .._peers import Array, solve_by_steps, sum_by_simpson
 
 
 def take_branch(driver: Array, eccentricity: Array) -> Array:

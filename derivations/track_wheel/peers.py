@@ -4,11 +4,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.record import Peer
 
-Array = NDArray[np.float64]
+from .._peers import Array
 
 
 def multiply_turns(alpha: Array, beta: Array, gamma: Array) -> Array:

@@ -8,11 +8,9 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Arguments = tuple[Array, ...]
-Draw = Callable[[np.random.Generator], Arguments]
+from .._peers import Arguments, Array, Draw
+
 Terms = Callable[[np.random.Generator, int], Arguments]
 
 COUNT, POSES = 20, 150

@@ -4,12 +4,11 @@ from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.record import Peer
 
-Array = NDArray[np.float64]
+from .._peers import Array
 
 # mm or rad: the error of the difference, STEP**2/6 of the third derivative, and that of rounding,
 # eps/STEP of the position, are of similar size.
