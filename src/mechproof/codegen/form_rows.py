@@ -111,12 +111,15 @@ def _leave_out(names: Container[str], paper: Paper) -> Paper:
 def _state_refusal(quantity: Quantity, reason: str) -> Row:
     shown = _show(quantity.name)
     number = number_form(quantity, quantity.shipped[-1])
-    return _claim_of(quantity, number, rf"\text{{{shown} has a kernel}}", Unwritten(reason))
+    return _claim_of(quantity, number, f"{shown} has a kernel", Unwritten(reason))
 
 
-def _claim_of(quantity: Quantity, number: str, latex: str, says: Statement, **about: Any) -> Claim:
+def _claim_of(
+    quantity: Quantity, number: str, text: str, says: Statement, note: str = "", **about: Any
+) -> Claim:
     """Return a claim about the source of a quantity."""
-    return Claim(number, latex, says, marks=("ours",), quantities=(quantity.name,), **about)
+    about |= {"marks": ("ours",), "quantities": (quantity.name,)}
+    return Claim(number, rf"\text{{{text}}}", says, note=note, **about)
 
 
 def _show(name: str) -> str:
@@ -177,49 +180,28 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     written = WrittenForm(quantity, kernel.code, stage)
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
-    yield _claim_of(
-        quantity,
-        number,
-        rf"\text{{the source of {shown} computes {meant}}}",
-        states(written),
-        note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
-        on=on,
-        holds_on=form.holds_on,
-    )
-    obligations = kernel.obligations[place]
-    if obligations:
-        yield _claim_of(
-            quantity,
-            f"{number}{LEGAL}",
-            rf"\text{{the rewrites of {shown} are legal}}",
-            Conjunction(tuple(map(Holds, obligations))),
-            note=f"The conditions of {rewrites}.",
-            on=on,
-        )
-    for solved in enclosures:
-        if isinstance(solved, Solved):
-            yield _claim_of(
-                quantity,
-                f"{number}{CONVERGES}",
-                rf"\text{{Newton's steps in {shown} lead to the one root in the bracket}}",
-                _state_steps(written, solved),
-                note=f"{solved.exact.steps} steps leave an error of at most 2**-64 of the bracket.",
-                on=_widen(on),
-            )
-    for enclosure in enclosures:
+    claim = partial(_claim_of, quantity)
+    text = f"the source of {shown} computes {meant}"
+    told = f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}"
+    yield claim(number, text, states(written), told, on=on, holds_on=form.holds_on)
+    if obligations := kernel.obligations[place]:
+        text, told = f"the rewrites of {shown} are legal", f"The conditions of {rewrites}."
+        legal = Conjunction(tuple(map(Holds, obligations)))
+        yield claim(f"{number}{LEGAL}", text, legal, told, on=on)
+    for enclosure in sorted(enclosures, key=lambda one: not isinstance(one, Solved)):
         if isinstance(enclosure, Solved):
+            text = f"Newton's steps in {shown} lead to the one root in the bracket"
+            steps = enclosure.exact.steps
+            told = f"{steps} steps leave an error of at most 2**-64 of the bracket."
+            says = _state_steps(written, enclosure)
+            yield claim(f"{number}{CONVERGES}", text, says, told, on=_widen(on))
             continue
-        yield _claim_of(
-            quantity,
-            f"{number}{NEAR_ZERO}",
-            rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
-            _state_enclosure(written, enclosure),
-            note="Outside this range the function itself is computed.",
-            on=Part(
-                f"|{enclosure.symbol}| <= {enclosure.limit}",
-                {enclosure.symbol: sp.Interval(-enclosure.limit, enclosure.limit)},
-            ),
-        )
+        symbol, limit = enclosure.symbol, enclosure.limit
+        inside = Part(f"|{symbol}| <= {limit}", {symbol: sp.Interval(-limit, limit)})
+        text = f"the polynomial of {shown} is off by less than a rounding"
+        told = "Outside this range the function itself is computed."
+        says = _state_enclosure(written, enclosure)
+        yield claim(f"{number}{NEAR_ZERO}", text, says, told, on=inside)
 
 
 def _equal_but_enclosures(
