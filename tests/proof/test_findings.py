@@ -210,8 +210,10 @@ def test_the_card_says_where_a_mend_holds() -> None:
     within = Claim("within", "m", Holds(sp.Ge(r, 0, evaluate=False)), on=on)
     first, *_ = find(Finding("(1)", "", mend="within"), others=(within,))
     card = make_card(first)
-    assert (card.mend, card.mend_by) == ("m", f"{first.mend_by}; where r > 1")
-    assert (card.general, card.general_by) == ("y", first.corrected_by)
+    assert card.mends == (
+        ("Right", "m", f"{first.mend_by}; where r > 1"),
+        ("In general", "y", first.corrected_by),
+    )
 
 
 def test_the_numbers_of_a_check_are_computed() -> None:

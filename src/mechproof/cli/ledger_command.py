@@ -141,11 +141,9 @@ def _print_finding(found: LedgerFinding) -> None:
     say(Text(heading, style="bold"))
     card = make_card(found, TAKEN, PUT)
     lines = [("printed", _plain(card.printed))]
-    for label, latex, by in (
-        (card.label.lower(), card.mend, card.mend_by),
-        ("general", card.general, card.general_by),
-    ):
-        lines += [(label, f"{latex}   (proved: {by})")] if latex else []
+    for label, latex, by in card.mends:
+        name = label.lower().removeprefix("in ")
+        lines += [(name, f"{latex}   (proved: {by})")] if latex else []
     lines.append(("why", found.wrong))
     lines += [("costs", str(cost)) for cost in found.costs]
     lines += [("check", found.check)] if found.check else []

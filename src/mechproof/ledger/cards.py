@@ -22,18 +22,14 @@ OPEN = (Verdict.NOT_CHECKABLE, Verdict.UNDERDETERMINED)
 
 @dataclass(frozen=True)
 class Card:
-    """The formulas of a finding: the print, the smallest mend, and what holds in general.
+    """The formulas of a finding: the print and its `mends`, each with a word and with its proof.
 
-    `mend` is empty if there is none, `general` if it is the mend. `label` is the word for the mend;
-    `mend_by` and `general_by` say how each is proved, and where it holds.
+    The first is the smallest, the second what holds in general; one is empty if there is none, the
+    second also if it is the first.
     """
 
     printed: str
-    mend: str
-    mend_by: str
-    general: str
-    general_by: str
-    label: str
+    mends: tuple[tuple[str, str, str], ...]
 
 
 def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> Card:
@@ -43,7 +39,6 @@ def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> C
     corrected_by = _describe_proof(found.corrected_by, found.corrected_on)
     if not mend:
         mend, by, general = general, corrected_by, ""
-    general_by = corrected_by if general else ""
     if mend and (is_sentence(printed) or is_sentence(mend)):
         printed, mend = mark_sentences(printed, mend, taken, put)
     elif mend:
@@ -51,7 +46,7 @@ def make_card(found: LedgerFinding, taken: Style = TAKEN, put: Style = PUT) -> C
         marked, mend = mark_changes(member, mend, taken, put)
         printed = kept + marked
     label = "Shown" if found.verdict in OPEN else "Right"
-    return Card(printed, mend, by, general, general_by, label)
+    return Card(printed, ((label, mend, by), ("In general", general, corrected_by)))
 
 
 def _describe_proof(by: str, on: str) -> str:

@@ -191,10 +191,8 @@ def _finding(found: LedgerFinding) -> str:
     card, number = make_card(found), f"[{_escape(found.number)}](#{found.id})"
     heading = f"### {found.system} {number}: {found.verdict}{_show_marks(found.marks)}"
     paragraphs = [heading, f"*{WEIGHTS[found.weight]}*", _formula(card.printed)]
-    if card.mend:
-        paragraphs += [f"{card.label} (proved: {_escape(card.mend_by)}):", _formula(card.mend)]
-    if card.general:
-        paragraphs += [f"In general (proved: {_escape(card.general_by)}):", _formula(card.general)]
+    for label, latex, by in card.mends:
+        paragraphs += [f"{label} (proved: {_escape(by)}):", _formula(latex)] if latex else []
     paragraphs += [_escape(found.wrong)]
     paragraphs += ["\n".join(f"- {_escape(str(cost))}" for cost in found.costs)]
     paragraphs += [f"Check: {_escape(found.check)}" if found.check else ""]
