@@ -113,7 +113,7 @@ class ComputedStage:
     def assumptions(self) -> tuple[str, ...]:
         """List the assumptions that the bound rests on, as texts."""
         kinds = {step.kind for step in self.straight.steps if not step.proved}
-        functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
+        functions = (FUNCTIONS[k] for k in sorted(kinds & FUNCTIONS.keys()))
         sums = SUMS if self.map else TERMS if self.total else ""
         return (*functions, *((sums,) if sums and not self.computed else ()), NORMAL)
 

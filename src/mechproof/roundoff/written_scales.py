@@ -7,7 +7,7 @@ order of its operands. This is the value numbering of compilers (Cocke and Schwa
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -18,6 +18,7 @@ from mechproof.programs.evaluation import find_needed
 from mechproof.programs.kernel import build_kernel, input_names
 from mechproof.programs.program import Operand, Stage
 from mechproof.record import Form, Paper, Quantity
+from mechproof.record.substitution import resolve
 from mechproof.roundoff.affine import find_size
 from mechproof.roundoff.error_sums import ErrorScale
 from mechproof.roundoff.interval_monomials import IntervalMonomial
@@ -103,8 +104,8 @@ def _is_seen(size: sp.Expr, quantity: Quantity, form: Form, paper: Paper) -> boo
         return False
     inputs = input_names(quantity).keys()
     given = {symbol: value for symbol, value in paper.given.items() if symbol not in inputs}
-    value = _write_out(form.expression, given)
-    return any(_is_multiple(_write_out(part, given), value) for part in list_below(size))
+    value = resolve(form.expression, given)
+    return any(_is_multiple(resolve(part, given), value) for part in list_below(size))
 
 
 def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
@@ -123,13 +124,6 @@ def list_below(size: sp.Expr) -> Iterator[sp.Expr]:
                 others = sp.Mul(*(other for other in parts if other is not part))
                 _, *below = list_below(part)
                 yield from (others * one for one in below)
-
-
-def _write_out(expression: sp.Expr, given: Mapping[sp.Basic, sp.Expr]) -> sp.Expr:
-    """Return an expression with values substituted for symbols until none is left."""
-    while expression.free_symbols & given.keys():
-        expression = expression.xreplace(given)
-    return expression
 
 
 def _is_multiple(part: sp.Expr, value: sp.Expr) -> bool:
