@@ -15,21 +15,20 @@ from sympy.integrals.heurisch import heurisch
 from sympy.polys.polyerrors import PolynomialError
 from sympy.simplify.fu import TR8
 
-from mechproof.proof.angle_antiderivatives import (
+from mechproof.proof.signs import is_positive
+from mechproof.proof.ways_to_integrate import (
     TANGENT,
+    list_pieces,
     propose_by_cosine,
+    propose_by_exponentials,
+    propose_by_fractions,
     propose_by_half_angle,
+    propose_by_rules,
     propose_by_tangent,
     propose_by_waves,
-)
-from mechproof.proof.exponential_antiderivatives import propose_by_exponentials, write_by_power
-from mechproof.proof.rule_antiderivatives import (
-    list_pieces,
-    propose_by_fractions,
-    propose_by_rules,
     split_fraction,
+    write_by_power,
 )
-from mechproof.proof.signs import is_positive
 from mechproof.record.parts import ARCS
 from mechproof.statement_domains.domain import Domain
 
