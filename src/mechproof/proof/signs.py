@@ -21,7 +21,6 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.arithmetic.polynomials import cancel
-from mechproof.proof.coordinate_signs import find_sign_in
 from mechproof.proof.coordinates import (
     Coordinates,
     list_by_values,
@@ -29,7 +28,7 @@ from mechproof.proof.coordinates import (
     replace_by_half_line,
     write_by_cosines,
 )
-from mechproof.proof.polynomial_signs import StrictSign, sign_of_number
+from mechproof.proof.polynomial_signs import StrictSign, find_sign_in, sign_of_number
 from mechproof.record.parts import find_free, find_parts, find_roots, has_parts
 from mechproof.record.relations import Slack, find_slack
 from mechproof.statement_domains.domain import Domain
