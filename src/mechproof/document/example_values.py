@@ -1,10 +1,13 @@
-"""Values that a worked example prints for letters: they hold in this example only.
+"""Values that hold in a worked example only, or in a case that sentences mention: for $a=b$.
 
 So do definitions printed in the example of letters that occur elsewhere but are not yet defined.
+Values of a case may prove what is printed for it, but refute nothing: the words may mean something
+else.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -15,11 +18,17 @@ import sympy as sp
 from mechproof.document.known import Known, Values
 from mechproof.document.tasks import Role, Sign
 from mechproof.latex.matrix_meaning import is_matrix
-from mechproof.nomenclature.inline import Inline, find_inline
-from mechproof.nomenclature.said_relations import read_relations
+from mechproof.nomenclature.inline import Inline
+from mechproof.nomenclature.said_relations import read_value
 from mechproof.record.unit_notation import ONE
-from mechproof.sources.displays import Printed
+from mechproof.sources.displays import DISPLAY, Printed
 from mechproof.sources.paper_files import Source
+
+# Words that introduce a case in the sentence before a formula, or right after a display.
+_CASE = re.compile(
+    r"(?<!solved )(?<!solve )\b(?:for|if|when|in the case)\b[^.;:]*\Z", re.IGNORECASE
+)
+_AFTER = re.compile(r"[\s.,;]*(?:if|for|when|provided(?:\s+that)?)\s+\Z")
 
 
 @contextmanager
@@ -105,7 +114,7 @@ class ExampleValues:
         """
         example = printed.announced.example
         numbers = [example.number] if example.number else range(1, example.last + 1)
-        offset = printed.latex.offsets[printed.taken]
+        offset = printed.offset
         told = [x for x in self.said if x.example == example.number and x.offset < offset]
         told = [x for x in told if all(x.value == y.value for y in told if x.letter == y.letter)]
         before = self.order[: self.order.index(printed.name)]
@@ -126,12 +135,13 @@ class ExampleValues:
         return {s: known.values[s] for s in own if s in known.values}
 
 
-def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> ExampleValues:
+def collect_values(
+    inline: Iterable[Inline], printed: Sequence[Printed], known: Known
+) -> ExampleValues:
     """Collect the values that sentences of examples give letters: formulas and unitless numbers."""
-    names = {name: v.symbol for v in known.symbols.variables for name in v.latex}
     examples = any(one.announced.example.number for one in printed)
-    found = find_inline(source, names) if examples else ()
-    within = ((one, find_example(one.offset, printed)) for one in found if not one.is_case)
+    found = (one for one in inline if examples and not one.is_case)
+    within = ((one, find_example(one.offset, printed)) for one in found)
     said = (_read(one, number, known) for one, number in within if number)
     order = [one.name for one in printed]
     return ExampleValues(known, [one for one in said if one], order)
@@ -139,25 +149,80 @@ def collect_values(source: Source, printed: Sequence[Printed], known: Known) -> 
 
 def find_example(offset: int, printed: Sequence[Printed]) -> int:
     """Return the number of the example that contains the text at an offset, 0 for none."""
-    after = (one for one in printed if one.latex.offsets[one.taken] > offset)
+    after = (one for one in printed if one.offset > offset)
     example = next((one.announced.example for one in after), None)
     return example.number if example and example.start <= offset else 0
 
 
 def _read(one: Inline, number: int, known: Known) -> SaidValue | None:
     """Read a sentence's value of a letter that nothing else gives; None if it is unusable."""
-    try:
-        (relation,) = read_relations(f"{one.letter}={one.value}", known.symbols.reader())
-        letter, value = relation.args
-    except ValueError:
+    found = read_value(one.letter, one.value, known.symbols.reader())
+    if found is None or found[0] in known.values or known.is_shown(*found):
         return None
+    letter, value = found
     moving = known.symbols.moving
     is_number = not (value.free_symbols or one.unit) and value != 0
     is_number &= letter not in moving and letter not in {by for by, _ in moving.values()}
-    dimension = known.symbols.find_dimension(letter)
-    is_value = bool(value.free_symbols) or (is_number and dimension in (None, ONE.dimension))
-    is_free = letter not in known.values and not known.is_shown(letter, value)
-    is_read = isinstance(letter, sp.Symbol) and isinstance(value, sp.Expr)
-    return (
-        SaidValue(number, one.offset, letter, value) if is_read and is_value and is_free else None
-    )
+    is_number &= known.symbols.find_dimension(letter) in (None, ONE.dimension)
+    is_value = bool(value.free_symbols) or is_number
+    return SaidValue(number, one.offset, letter, value) if is_value else None
+
+
+@dataclass(frozen=True)
+class SaidCase:
+    """A value said of a letter, its place in the text, and the display it follows, if any."""
+
+    letter: sp.Basic
+    value: sp.Expr
+    place: int
+    display: tuple[int, int] | None
+
+
+class SaidCases:
+    """The cases that the words of a paper mention, in their order."""
+
+    def __init__(
+        self, source: Source, inline: Iterable[Inline], printed: Sequence[Printed], known: Known
+    ) -> None:
+        """Take the values that sentences give letters for a case."""
+        self.printed, self.known, self.places = printed, known, source.places
+        self.displays = [match.span() for match in DISPLAY.finditer(source.text.string)]
+        self.text = source.text.string
+        self.found = [case for one in inline for case in self._read(one)]
+
+    def _read(self, one: Inline) -> Iterator[SaidCase]:
+        place = self.places[one.offset]
+        span = next((x for x in reversed(self.displays) if x[1] <= place), None)
+        words = self.text[span[1] if span else 0 : place]
+        is_after = bool(span and _AFTER.fullmatch(words))
+        is_angle = one.number is not None and one.unit in ("", "rad", "deg")
+        if not (is_after or _CASE.search(words)) or not (one.number is None or is_angle):
+            return
+        found = read_value(one.letter, one.value, self.known.symbols.reader())
+        if found and found[0] not in {*self.known.values, *found[1].free_symbols}:
+            yield SaidCase(*found, place, span if is_after else None)
+
+    def list_at(self, printed: Printed, signs: Sequence[Sign]) -> Values:
+        """Return the values that words around an equation give letters, if unique for the letter.
+
+        Zeros before it are found elsewhere. Numbers are left out for letters that the equation
+        prints: it does not hold for that case only.
+        """
+        if printed.announced.is_general:
+            return {}
+        place, scope = self._find_place(printed), printed.announced.scope
+        before = self.printed[: self.printed.index(printed)]
+        last = next((x for x in reversed(before) if x.announced.scope != scope), None)
+        first = self._find_place(last) if last else -1
+        met = {letter for sign in signs for letter in sign.printed}
+        said: dict[sp.Basic, set[sp.Expr]] = {}
+        for one in self.found:
+            is_before = one.display is None and first < one.place < place and one.value != 0
+            is_after = one.display is not None and one.display[0] <= place < one.display[1]
+            if is_before or is_after:
+                said.setdefault(one.letter, set()).add(one.value)
+        values = {s: next(iter(ones)) for s, ones in said.items() if len(ones) == 1}
+        return {s: v for s, v in values.items() if v.free_symbols or s not in met}
+
+    def _find_place(self, printed: Printed) -> int:
+        return self.places.get(printed.offset, -1)

@@ -19,7 +19,7 @@ from mechproof.document.double_signs import (
     find_imaginary_unit,
     is_complex,
 )
-from mechproof.document.example_values import collect_values, lend_values
+from mechproof.document.example_values import SaidCases, collect_values, lend_values
 from mechproof.document.known import CHAIN_RULE, Known, Later, define_later, find_later
 from mechproof.document.law_pieces import LawPiece
 from mechproof.document.numbers.calculated_sizes import calculate_sizes
@@ -27,7 +27,6 @@ from mechproof.document.numbers.letter_sizes import RestatedSizes, collect_sizes
 from mechproof.document.numbers.size_tables import SizeTables
 from mechproof.document.numbers.stated_numbers import StatedNumbers
 from mechproof.document.printed_signs import find_roles, give_values
-from mechproof.document.said_cases import SaidCases
 from mechproof.document.special_cases import make_seams
 from mechproof.document.task_maker import TaskMaker
 from mechproof.document.tasks import Sign, Task
@@ -39,6 +38,7 @@ from mechproof.nomenclature import shown_letters
 from mechproof.nomenclature.block import Declared, read_block
 from mechproof.nomenclature.declarations import add_shown, declare
 from mechproof.nomenclature.defined_functions import find_defined
+from mechproof.nomenclature.inline import find_inline
 from mechproof.nomenclature.possible_matrices import find_possible_matrices, list_units
 from mechproof.nomenclature.said import find_pi, find_said
 from mechproof.nomenclature.shapes import find_sizes
@@ -222,12 +222,13 @@ class Document:
         self.told = [*faults, *tables.told, *characters]
         unread = [one.printed_latex for one in read if isinstance(one, Left)]
         self.known.unread = "\n".join([*unread, *self.block.where, *self.block.values])
-        restated = RestatedSizes(self.source, self.symbols)
+        inline = [*find_inline(self.source, self.symbols.prints)]
+        restated = RestatedSizes(self.source, inline, self.symbols)
         sizes = collect_sizes(zip(self.printed, read, strict=True), self.known, restated)
-        examples = collect_values(self.source, self.printed, self.known)
+        examples = collect_values(inline, self.printed, self.known)
         numbers = StatedNumbers(self.known, sizes, examples)
         known, papers = self.known, self.papers
-        said = examples, SaidCases(self.source, self.printed, self.known)
+        said = examples, SaidCases(self.source, inline, self.printed, self.known)
         maker = TaskMaker(self.printed, self.block, known, papers, self.files, numbers, *said)
         rows: list[Task | Left] = []
         for printed, signs in zip(self.printed, read, strict=True):

@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.document.constraints.solutions import read_signs, state_signs, tie_pair
 from mechproof.document.double_signs import split_parts
-from mechproof.document.example_values import ExampleValues
+from mechproof.document.example_values import ExampleValues, SaidCases
 from mechproof.document.known import Known
 from mechproof.document.mentions import is_listed, is_met_once, look_up
 from mechproof.document.numbers.letter_sizes import list_zeros
@@ -27,7 +27,6 @@ from mechproof.document.row_sides import (
     ties_letters,
     ties_running,
 )
-from mechproof.document.said_cases import SaidCases
 from mechproof.document.special_cases import (
     list_rates,
     list_values,

@@ -21,6 +21,17 @@ def read_relations(text: str, reader: Reader) -> list[sp.Basic]:
     return [relation for part in said for relation in read.meaning().relate(part)]
 
 
+def read_value(letter: str, value: str, reader: Reader) -> tuple[sp.Symbol, sp.Expr] | None:
+    """Return a letter and its value as a sentence prints them; None for anything else."""
+    try:
+        (relation,) = read_relations(f"{letter}={value}", reader)
+        symbol, said = relation.args
+    except ValueError:
+        return None
+    is_value = isinstance(symbol, sp.Symbol) and isinstance(said, sp.Expr)
+    return (symbol, said) if is_value else None
+
+
 def narrow(
     variables: Sequence[Variable], relations: Sequence[sp.Basic]
 ) -> tuple[tuple[Variable, ...], tuple[sp.Basic, ...]]:

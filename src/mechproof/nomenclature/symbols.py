@@ -58,9 +58,14 @@ class Symbols:
         return tuple(v.symbol for v in self.variables if v.within.is_FiniteSet)
 
     @property
+    def prints(self) -> dict[str, sp.Basic]:
+        """Return the letters by their prints."""
+        return {latex: v.symbol for v in self.variables for latex in v.latex}
+
+    @property
     def names(self) -> dict[str, sp.Basic]:
         """Return the letters by the names of their prints."""
-        return {name_symbol(name): v.symbol for v in self.variables for name in v.latex}
+        return {name_symbol(latex): symbol for latex, symbol in self.prints.items()}
 
     def list_branches(self, letters: Collection[sp.Basic]) -> list[dict[sp.Basic, sp.Expr]]:
         """Return all combinations of values of the branches among letters, at least {}."""
@@ -187,7 +192,7 @@ def add_scopes(symbols: Symbols, block: Block, printed: Sequence[Printed]) -> Sy
 
     Unknown equations and letters are recorded as faults of the block.
     """
-    declared = {name: v.symbol for v in symbols.variables for name in v.latex}
+    declared = symbols.prints
     scopes = []
     for equations, means in block.scopes:
         for latex, name in means.items():

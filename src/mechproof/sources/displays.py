@@ -110,6 +110,11 @@ class Printed:
     announced: Announced = NOTHING
     taken: int = 0
 
+    @property
+    def offset(self) -> int:
+        """Return the offset of the first character that is its own."""
+        return self.latex.offsets[self.taken]
+
     def locate(self, files: Files, place: int = 0) -> Place:
         """Return the place of a character of its LaTeX, by default the first that is its own."""
         offsets = self.latex.offsets

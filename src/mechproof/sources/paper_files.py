@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from mechproof.sources.located_text import Files, LocatedText, Place, join
@@ -75,6 +76,11 @@ class Source:
     lines: list[LocatedText] = field(default_factory=list)
     has_block: bool = False
     missing: list[tuple[Place, str]] = field(default_factory=list)
+
+    @cached_property
+    def places(self) -> dict[int, int]:
+        """Return the places in the text by their offsets in the files."""
+        return {offset: place for place, offset in enumerate(self.text.offsets)}
 
 
 def read_source(path: str, content: str | None = None) -> Source:

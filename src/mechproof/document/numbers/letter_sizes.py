@@ -21,7 +21,7 @@ from mechproof.document.numbers.conversions import may_count
 from mechproof.document.numbers.scales import RoundedSize, Scales, may_turn_units
 from mechproof.document.tasks import Role, Sign
 from mechproof.nomenclature.cells import Head, Numeral, find_unit
-from mechproof.nomenclature.inline import Inline, SaidQuantity, find_inline, find_quantities
+from mechproof.nomenclature.inline import Inline, SaidQuantity, find_quantities
 from mechproof.nomenclature.symbols import Symbols
 from mechproof.proof.verdict import Left
 from mechproof.record import Dimension, find_last_place
@@ -271,12 +271,10 @@ class Restated:
 class RestatedSizes:
     """The sizes that sentences give letters, in the order of the text."""
 
-    def __init__(self, source: Source, symbols: Symbols) -> None:
-        """Find the sentences that give sizes; sums and formulas are skipped."""
-        self.usual = symbols.usual
-        self.order = {offset: place for place, offset in enumerate(source.text.offsets)}
-        letters = {name: v.symbol for v in symbols.variables for name in v.latex}
-        inline = [*find_inline(source, letters)]
+    def __init__(self, source: Source, inline: Sequence[Inline], symbols: Symbols) -> None:
+        """Take the sentences that give sizes; sums and formulas are skipped."""
+        self.usual, self.places = symbols.usual, source.places
+        letters = symbols.prints
         self.found = [*_find(inline, source, letters, symbols)]
         second = ((one, _SECOND.match(source.text.string, one.end)) for one in inline)
         self.said = [
@@ -313,7 +311,7 @@ class RestatedSizes:
         return {one.letter for one in zeros if times[one.letter] == 1}
 
     def _find_place(self, printed: Printed) -> int:
-        return self.order.get(printed.latex.offsets[printed.taken], -1)
+        return self.places.get(printed.offset, -1)
 
 
 def _find(
