@@ -244,11 +244,11 @@ def _shift_indices(value: sp.Expr, n: sp.Symbol) -> sp.Expr:
 
 
 def _holds(slack: Slack, n: sp.Symbol, domain: Domain, show: Show) -> bool:
-    first, back = find_first(n, domain), untie(n, domain)
+    first = find_first(n, domain)
     totals = [total for total in slack.value.atoms(sp.Sum, sp.Product) if total.has(n)]
     if first is None or not all(is_plain(total, n) for total in totals):
         return False
-    steps = list(_list_steps(slack.value, n)) if goes_on(slack.value, n, back) else []
+    steps = list(_list_steps(slack.value, n)) if goes_on(slack.value, n, untie(n, domain)) else []
     for start in range(int(first), int(first) + _MOST_SINGLE):
         beginning = sp.expand(write_out(substitute(slack.value, {n: sp.Integer(start)})))
         if not show(Slack(beginning, slack.strict), domain):
