@@ -64,7 +64,7 @@ def begins_member(parser: Parser, place: int) -> bool:
     """Return whether a member begins at a place, or at the sign in front of it."""
     if place and parser.tokens[place - 1].text in ("-", "+"):
         place -= 1
-    return place == 0 or parser.tokens[place - 1].text in (*_ENDS, *RELATIONS)
+    return place == 0 or parser.tokens[place - 1].text in _ENDS
 
 
 def _find_end(parser: Parser) -> int:
