@@ -22,6 +22,10 @@ ROWS = [
     (r"\int_0^1n^x\,dx=\frac{n-1}{\ln n}", "n>1"),
     (r"\int x^{n-18}\,dx=\frac{x^{n-17}}{n-17}+C", "n>17"),
     (r"\sum_{k=1}^nm^k=\frac{m^{n+1}-m}{m-1}", "m>1"),
+    (r"\frac{4^n-2^{100}}{2^n-2^{50}}=2^n+2^{50}", "n<50"),
+    (r"\frac{2^{n+3}-2^{50}}{2^{n+3}-2^{50}}=1", "n<47"),
+    (r"\tan\frac{n\pi}{1000}\cos\frac{n\pi}{1000}=\sin\frac{n\pi}{1000}", "n<500"),
+    (r"\frac{\sin\frac{n\pi}{500}}{\sin\frac{n\pi}{1000}}=2\cos\frac{n\pi}{1000}", "n<1000"),
 ]
 # True for all counts from 1 onwards, but not for 0.
 FROM_ONE = [

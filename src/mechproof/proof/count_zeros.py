@@ -31,6 +31,8 @@ _SOLVED = 3
 _MOST_TURNS = 48
 # Work limit: negative integers that are tried as the argument of a factorial.
 _MOST_STEPS = 12
+# Work limit: whole numbers among which one is looked for that makes an angle a whole half turn.
+_LARGEST_PERIOD = 5000
 # Points that are tried; if a divisor is zero at this many, its zeros are more than single points.
 _TRIED = 8
 _MANY = 2
@@ -154,14 +156,47 @@ def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -
         # Labels of families and their elements under a sum have no values to be solved for.
         for letter in (letter for letter in ordered if letter in point):
             others = {s: value for s, value in point.items() if s != letter}
-            equation = number.xreplace(others).as_poly(letter)
-            if equation is None or equation.free_symbols_in_domain:
-                continue
-            for root in equation.ground_roots():
+            for root in _solve(number.xreplace(others), letter):
                 there = {**others, letter: root}
                 if (root.is_integer or not is_count(letter, domain)) and domain.allows(there):
                     roots.append(there)
     return roots
+
+
+def _solve(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
+    """Yield the rational zeros of a polynomial, or whole ones of other numbers."""
+    equation = number.as_poly(letter)
+    if equation is None:
+        proposed = (*_list_turns(number, letter), *_list_exponents(number, letter))
+        yield from (whole for whole in proposed if number.subs(letter, whole).is_zero)
+    elif not equation.free_symbols_in_domain:
+        yield from equation.ground_roots()
+
+
+def _list_turns(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
+    """Yield the first positive whole numbers that make sines and cosines zero."""
+    for wave in number.atoms(sp.sin, sp.cos):
+        halves = sp.S.Half if isinstance(wave, sp.cos) else sp.S.Zero
+        turns = (sp.expand(wave.args[0] / sp.pi) - halves).as_poly(letter)
+        if turns is None or turns.degree() != 1 or not all(c.is_Rational for c in turns.coeffs()):
+            continue
+        slope, start = turns.nth(1), turns.nth(0)
+        period = int(sp.ilcm(slope.q, start.q))
+        ahead, offset = int(slope * period), int(start * period)
+        counts = range(1, min(period, _LARGEST_PERIOD) + 1)
+        yield from islice((sp.Integer(n) for n in counts if (ahead * n + offset) % period == 0), 1)
+
+
+def _list_exponents(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
+    """Yield whole numbers that may make a polynomial in a power with them as exponents zero."""
+    for power in number.atoms(sp.Pow):
+        named, start = sp.Dummy(), power.exp - letter
+        equation = number.xreplace({power: named}).as_poly(named)
+        if not power.base.is_Rational or not start.is_Integer or equation is None:
+            continue
+        if not equation.free_symbols_in_domain:
+            roots = (root for root in equation.ground_roots() if root > 0)
+            yield from (sp.Integer(round(sp.log(root, power.base).n())) - start for root in roots)
 
 
 def describe_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:
