@@ -12,6 +12,10 @@ COUNT = r"n\in\mathbb N"
 FROM_ONE = r"\sum_{k=1}^n|k-x|=|1-x|+\frac{n(n+1)}2-1-(n-1)x"
 TO_HALVES = r"\sum_{k=1}^n\left|k-\frac72\right|=\frac{n(n+1)}2-\frac{7n}2+%d"
 POLES = r"\sum_{k=1}^n\left(\frac1{k%+d}-\frac1{k%+d}\right)=\frac1{%d}-\frac1{n%+d}"
+POWERS = (
+    r"\sum_{k=1}^n\left(\frac1{2^k%s2^{50}}-\frac1{2^{k+1}%s2^{50}}\right)"
+    r"=\frac1{2%s2^{50}}-\frac1{2^{n+1}%s2^{50}}"
+)
 NO_HOLE = "x^2-0.6x+0.09005"
 HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
 EXP = r"\mathrm{e}^{\ln(%s)}=%s"
@@ -45,6 +49,10 @@ PAIRS = {
     "poles among the terms": (
         (POLES % (500, 501, 501, 501), (COUNT,)),
         (POLES % (-500, -499, -499, -499), (COUNT,)),
+    ),
+    "poles among terms with powers": (
+        (POWERS % (*"++++",), (COUNT,)),
+        (POWERS % (*"----",), (COUNT,)),
     ),
     "beside an integral": (
         (r"\int_0^a\sqrt x\,dx=\frac23\sqrt a^3", ()),

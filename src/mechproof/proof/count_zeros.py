@@ -156,14 +156,14 @@ def _list_roots(number: sp.Expr, domain: Domain, letters: frozenset[sp.Basic]) -
         # Labels of families and their elements under a sum have no values to be solved for.
         for letter in (letter for letter in ordered if letter in point):
             others = {s: value for s, value in point.items() if s != letter}
-            for root in _solve(number.xreplace(others), letter):
+            for root in list_solutions(number.xreplace(others), letter):
                 there = {**others, letter: root}
                 if (root.is_integer or not is_count(letter, domain)) and domain.allows(there):
                     roots.append(there)
     return roots
 
 
-def _solve(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
+def list_solutions(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
     """Yield the rational zeros of a polynomial, or whole ones of other numbers."""
     equation = number.as_poly(letter)
     if equation is None:

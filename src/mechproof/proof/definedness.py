@@ -13,6 +13,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import canonicalise
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
+from mechproof.proof.count_zeros import list_solutions
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive, is_shown
 from mechproof.record import (
@@ -60,12 +61,13 @@ def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator
 def _list_poles(node: ExprWithLimits) -> Iterator[Slack]:
     """Yield what must be positive for polynomials of whole numbers to divide a sum's terms.
 
-    Zeros of divisors in other letters lie at isolated points.
+    So must other functions of an index. Zeros in other letters lie at isolated points.
     """
     own, inner = {index for index, *_ in node.limits}, find_bound(node.function)
     for divisor in list_divisors(node.function):
         letters = divisor.free_symbols
-        is_whole = all(letter.is_integer for letter in letters) and divisor.is_polynomial(*letters)
+        is_read = len(letters) == 1 or divisor.is_polynomial(*letters)
+        is_whole = is_read and all(letter.is_integer for letter in letters)
         if is_whole and letters & own and not letters & inner:
             yield Slack(divisor**2, True)
 
@@ -98,12 +100,11 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
 
 
 def _has_no_root(need: Slack, limits: Sequence[sp.Tuple]) -> bool:
-    """Return whether a square of a polynomial in an index is zero for no number that it takes."""
+    """Return whether no zero of a square in an index is found among the numbers that it takes."""
     base, power = need.value.as_base_exp()
     for index, low, high in limits:
         if power == 2 and index.is_integer and base.free_symbols == {index}:
-            polynomial = base.as_poly(index)
-            roots = [r for r in polynomial.ground_roots() if r.is_integer] if polynomial else [low]
+            roots = (root for root in list_solutions(base, index) if root.is_integer)
             return all((root < low) == sp.true or (root > high) == sp.true for root in roots)
     return False
 
