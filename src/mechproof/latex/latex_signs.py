@@ -105,6 +105,16 @@ def find_close(texts: Sequence[str]) -> int:
     return next((n for n, depth in enumerate(measure_depths(texts)) if n and not depth), len(texts))
 
 
+def find_brace(latex: str, start: int) -> int | None:
+    """Return the place of the brace that closes the one at `start`, or None if none does."""
+    depth = 0
+    for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
+        depth += {"{": 1, "}": -1}.get(token[0], 0)
+        if depth == 0:
+            return start + token.start()
+    return None
+
+
 @lru_cache(1024)
 def same_sign(sign: str) -> str:
     r"""Return the sign as which a sign is read: \le for \leq and for the character ≤."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from mechproof.latex.latex_signs import find_brace
+
 # Text that is read as words; shorter pieces are names and units within a formula.
 WORDS = re.compile(r"[^\W\d_]{4}|[^\W\d_]{2}.* |^ .*[^\W\d_]{2}|^ ")
 
@@ -43,13 +45,3 @@ def walk_outside(latex: str) -> Iterator[int]:
         if depth == 0:
             yield token.start()
         depth = max(depth + opens - closes, 0)
-
-
-def find_brace(latex: str, start: int) -> int | None:
-    """Return the place of the brace that closes the one at `start`, or None if none does."""
-    depth = 0
-    for token in re.finditer(r"\\.|[{}]", latex[start:], re.DOTALL):
-        depth += {"{": 1, "}": -1}.get(token[0], 0)
-        if depth == 0:
-            return start + token.start()
-    return None

@@ -6,8 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from mechproof.latex.latex_signs import join as join_signs
-from mechproof.latex.sentences import find_brace
+from mechproof.latex.latex_signs import find_brace, join as join_signs
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.paper_files import DocumentError
 

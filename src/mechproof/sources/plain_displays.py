@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from mechproof.latex.sentences import find_brace
+from mechproof.latex.latex_signs import find_brace
 from mechproof.latex.words import ITALICS, OPENS_TEXT, OPENS_UPRIGHT
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.macros import Macro

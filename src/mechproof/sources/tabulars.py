@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from mechproof.latex.sentences import find_brace
+from mechproof.latex.latex_signs import find_brace
 from mechproof.sources.lines import split_lines, walk_signs
 from mechproof.sources.located_text import LocatedText
 from mechproof.sources.macros import expand, find_macros
