@@ -44,11 +44,13 @@ def _split_at_edge(relation: sp.Basic, domain: Domain) -> list[Domain]:
         if slack is None or slack.strict or not any(find_free(said) <= tied for tied in angles):
             continue
         for x in sorted(find_free(said), key=str):
-            slope = slack.value.coeff(x)
-            if slope.is_number and slope != 0:
+            value = sp.expand(slack.value)
+            slope = value.coeff(x)
+            others = value - slope * x
+            if slope.is_number and slope != 0 and others.free_symbols and not others.has(x):
                 rest = replace(domain, where=tuple(one for one in domain.where if one != said))
-                inside = replace(rest, where=(*rest.where, sp.Gt(slack.value, 0)))
-                return [inside, fix(rest, {x: sp.expand(x - slack.value / slope)})]
+                inside = replace(rest, where=(*rest.where, sp.Gt(value, 0)))
+                return [inside, fix(rest, {x: -others / slope})]
     return []
 
 
