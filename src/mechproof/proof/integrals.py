@@ -212,6 +212,7 @@ def _find_by_constant_mean(integral: sp.Integral, domain: Domain) -> sp.Expr | N
     if is_shown_there(Slack(sp.tan(variable), True), inside):
         t = sp.Dummy("t", positive=True)
         sides = tuple(x.xreplace({sp.tan(variable): t, sp.cot(variable): 1 / t}) for x in sides)
+        inside = inside.with_set(t, sp.Interval.open(0, sp.oo))
     is_constant = decide_equal(*sides, inside) or decide_by_logarithms(*sides, inside)
     return (upper - lower) * middle if is_constant else None
 
