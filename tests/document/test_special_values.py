@@ -227,6 +227,23 @@ def test_special_values_have_their_outcome(latex: str) -> None:
     assert [row.outcome for row in rows] == CASES[latex]
 
 
+# The range of x, the condition on a, and whether the extreme is proved to be attained.
+ATTAINED = {
+    r"\max_x(ax-x^2)=\sqrt{(a-1)^2}": ("-1<=x<=1", "a>2", True),
+    r"\min_x(x^2-ax)=-|a-1|": ("-1<=x<=1", "a>2", True),
+    r"\max_x(2ax-x^2)=|2a-1|": ("0<=x<=1", "a>2", False),
+    r"\max_x\sin(x+a)=1": ("0<=x<=7", "a<9", False),
+}
+
+
+@pytest.mark.parametrize("latex", ATTAINED)
+def test_no_extreme_is_refuted_by_a_place_beyond_the_range(latex: str) -> None:
+    within, where, is_proved = ATTAINED[latex]
+    block = f"%% mechproof\n%% x : number {{{within}}}\n%% a : number {{{where}}}\n%% end\n"
+    (row,) = check("paper.tex", f"{block}$${latex}$$").rows
+    assert row.outcome == "PROVED" if is_proved else row.outcome != "REFUTED"
+
+
 def test_a_value_may_be_printed_before_what_it_is_a_value_of() -> None:
     block, _, equations = LETTERS.partition("%% end\n")
     rows = check("paper.tex", f"{block}%% end\n$$z(0)=0$$ $$z(0)=2a$$ {equations}").rows

@@ -2,7 +2,7 @@ r"""Largest and smallest values, `\max_\theta f`: a bound that holds everywhere 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice, permutations
 from typing import TYPE_CHECKING, Any
 
@@ -90,8 +90,11 @@ def state_extremum(
         return Conjunction((Equality(bound, extreme, "member"),))
     letters = sorted(term.free_symbols | bound.free_symbols, key=str)
     sign, known = _SIGNS[node.name], settle_all(bound, values)
-    places = _list_places(term, by, within)
-    reached = {term.xreplace({by: place}): within.contains(place) for place in places}
+    places = {place: within.contains(place) for place in _list_places(term, by, within)}
+    reached: dict[sp.Expr, sp.Basic] = {}
+    # Places that certainly lie in the range come first.
+    for place in sorted(places, key=lambda place: places[place] != sp.true):
+        reached.setdefault(term.xreplace({by: place}), places[place])
     # For letters of another order by size, the extremum may lie elsewhere.
     orders = [*islice(permutations(letters), _ORDERS)]
     agree = [any(_agree(there, known, one) for there in reached) for one in orders]
@@ -100,9 +103,7 @@ def state_extremum(
     for there in reached:
         if _agree(there, known, letters):
             limit = sign(value, bound, evaluate=False)
-            return Conjunction(
-                (Holds(limit), *_state_true(reached[there]), Equality(there, bound, "member"))
-            )
+            return Conjunction((Holds(limit), _attain(there, bound, reached[there])))
     pairs = [
         (number, there) for there in reached if (number := _evaluate(there, letters)) is not None
     ]
@@ -112,13 +113,19 @@ def state_extremum(
     extreme = choose(pairs, key=lambda pair: pair[0])[1]
     # A value that bounds the term everywhere is its extremum; no other value is.
     limit = sign(value, extreme, evaluate=False)
-    inside, equal = _state_true(reached[extreme]), Equality(extreme, bound, "member")
-    return Conjunction((Holds(limit), *inside, equal), needs_first=True)
+    attained = _attain(extreme, bound, reached[extreme])
+    return Conjunction((Holds(limit), attained), needs_first=True)
 
 
-def _state_true(condition: sp.Basic) -> Iterator[Holds]:
-    """State the parts of a condition that letters have to meet."""
-    return (Holds(part) for part in sp.And.make_args(condition) if part != sp.true)
+def _attain(value: sp.Expr, bound: sp.Expr, inside: sp.Basic) -> Equality | Conjunction:
+    """State that a bound is a value that is attained if a condition on the letters is met.
+
+    It may be attained elsewhere, too, so that nothing follows where the condition is not met.
+    """
+    equal = Equality(value, bound, "member")
+    if inside == sp.true:
+        return equal
+    return Conjunction((Holds(inside), equal), needs_first=True)
 
 
 def _agree(one: sp.Expr, other: sp.Expr, letters: Sequence[sp.Basic]) -> bool:
@@ -167,7 +174,10 @@ def _find_wave(term: sp.Expr, by: sp.Basic) -> tuple[sp.Expr, sp.Expr] | None:
 def _list_places(term: sp.Expr, by: sp.Basic, within: sp.Set) -> list[sp.Expr]:
     ends = [end for end in (within.inf, within.sup) if end.is_finite]
     found = dict.fromkeys((*_list_stationary(term, by), *ends))
-    return [place for place in found if within.contains(place) != sp.false]
+    inside = {place: within.contains(place) for place in found}
+    # A law may have its seams at letters; that these lie in the range is then left to be shown.
+    may_lie = isinstance(term, sp.Piecewise)
+    return [p for p in found if inside[p] == sp.true or (may_lie and inside[p] != sp.false)]
 
 
 def _list_stationary(term: sp.Expr, by: sp.Basic) -> list[sp.Expr]:
