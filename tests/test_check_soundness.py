@@ -16,6 +16,10 @@ POWERS = (
     r"\sum_{k=1}^n\left(\frac1{2^k%s2^{50}}-\frac1{2^{k+1}%s2^{50}}\right)"
     r"=\frac1{2%s2^{50}}-\frac1{2^{n+1}%s2^{50}}"
 )
+SQUARES = (
+    r"\sum_{k=1}^n\left(\frac1{2^{2k}%s2^{100}}-\frac1{2^{2k+2}%s2^{100}}\right)"
+    r"=\frac1{4%s2^{100}}-\frac1{2^{2n+2}%s2^{100}}"
+)
 NO_HOLE = "x^2-0.6x+0.09005"
 HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
 EXP = r"\mathrm{e}^{\ln(%s)}=%s"
@@ -53,6 +57,14 @@ PAIRS = {
     "poles among terms with powers": (
         (POWERS % (*"++++",), (COUNT,)),
         (POWERS % (*"----",), (COUNT,)),
+    ),
+    "poles among terms with squares of powers": (
+        (SQUARES % (*"++++",), (COUNT,)),
+        (SQUARES % (*"----",), (COUNT,)),
+    ),
+    "between pieces": (
+        (r"\begin{cases}1+x^2&x\le0.37\\2+x^2&x>0.37\end{cases}>0", ()),
+        (r"\begin{cases}1+x^2&x\le0.37\\2+x^2&x\ge0.370001\end{cases}>0", ()),
     ),
     "beside an integral": (
         (r"\int_0^a\sqrt x\,dx=\frac23\sqrt a^3", ()),

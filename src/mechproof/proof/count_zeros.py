@@ -187,16 +187,35 @@ def _list_turns(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
         yield from islice((sp.Integer(n) for n in counts if (ahead * n + offset) % period == 0), 1)
 
 
+def knows_zeros(number: sp.Expr, letter: sp.Basic) -> bool:
+    """Return whether `list_solutions` yields every whole number that makes a number zero."""
+    equation = number.as_poly(letter)
+    if equation is None:
+        return next(_read_powers(number, letter), None) is not None
+    return not equation.free_symbols_in_domain
+
+
 def _list_exponents(number: sp.Expr, letter: sp.Basic) -> Iterator[sp.Expr]:
     """Yield whole numbers that may make a polynomial in a power with them as exponents zero."""
+    for power, equation in _read_powers(number, letter):
+        slope, start = (power.exp.as_poly(letter).nth(n) for n in (1, 0))
+        for root in filter(None, equation.ground_roots()):
+            exponent = round(sp.log(abs(root), abs(power.base)).n())
+            if (whole := (exponent - start) / slope).is_integer:
+                yield whole
+
+
+def _read_powers(number: sp.Expr, letter: sp.Basic) -> Iterator[tuple[sp.Pow, sp.Poly]]:
+    """Yield a power of a rational number with a letter in its exponent, and the equation in it."""
     for power in number.atoms(sp.Pow):
-        named, start = sp.Dummy(), power.exp - letter
-        equation = number.xreplace({power: named}).as_poly(named)
-        if not power.base.is_Rational or not start.is_Integer or equation is None:
+        exponent, named = power.exp.as_poly(letter), sp.Dummy()
+        if not power.base.is_Rational or power.base in (-1, 0, 1):
             continue
-        if not equation.free_symbols_in_domain:
-            roots = (root for root in equation.ground_roots() if root > 0)
-            yield from (sp.Integer(round(sp.log(root, power.base).n())) - start for root in roots)
+        if exponent is None or exponent.degree() != 1 or exponent.free_symbols_in_domain:
+            continue
+        equation = number.xreplace({power: named}).as_poly(named)
+        if equation is not None and not equation.free_symbols_in_domain:
+            yield power, equation
 
 
 def describe_division_by_zero(divisors: Sequence[sp.Expr], domain: Domain) -> str:

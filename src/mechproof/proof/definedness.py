@@ -13,7 +13,7 @@ from mechproof.proof.algebra import decide_equal
 from mechproof.proof.canonical_sums import canonicalise
 from mechproof.proof.cases import narrow
 from mechproof.proof.coordinates import parametrise
-from mechproof.proof.count_zeros import list_solutions
+from mechproof.proof.count_zeros import knows_zeros, list_solutions
 from mechproof.proof.half_angles import is_shown_there
 from mechproof.proof.signs import find_sign, is_nonzero, is_positive, is_shown
 from mechproof.record import (
@@ -59,16 +59,17 @@ def _list_inside(expression: sp.Basic, limits: tuple[sp.Tuple, ...]) -> Iterator
 
 
 def _list_poles(node: ExprWithLimits) -> Iterator[Slack]:
-    """Yield what must be positive for polynomials of whole numbers to divide a sum's terms.
+    """Yield what must be positive for a sum's terms to have no pole at a whole number.
 
-    So must other functions of an index. Zeros in other letters lie at isolated points.
+    These are the squares of divisors in whole letters. Zeros in other letters lie at isolated
+    points; factorials are judged elsewhere.
     """
     own, inner = {index for index, *_ in node.limits}, find_bound(node.function)
     for divisor in list_divisors(node.function):
         letters = divisor.free_symbols
-        is_read = len(letters) == 1 or divisor.is_polynomial(*letters)
-        is_whole = is_read and all(letter.is_integer for letter in letters)
-        if is_whole and letters & own and not letters & inner:
+        is_whole = all(letter.is_integer for letter in letters)
+        is_factorial = isinstance(divisor, sp.factorial | sp.binomial | sp.gamma)
+        if is_whole and not is_factorial and letters & own and not letters & inner:
             yield Slack(divisor**2, True)
 
 
@@ -100,10 +101,11 @@ def _is_shown_inside(one: InnerNeed, domain: Domain) -> bool:
 
 
 def _has_no_root(need: Slack, limits: Sequence[sp.Tuple]) -> bool:
-    """Return whether no zero of a square in an index is found among the numbers that it takes."""
+    """Return whether all zeros of a square in an index are known, and the index takes none."""
     base, power = need.value.as_base_exp()
     for index, low, high in limits:
-        if power == 2 and index.is_integer and base.free_symbols == {index}:
+        is_of_index = power == 2 and index.is_integer and base.free_symbols == {index}
+        if is_of_index and knows_zeros(base, index):
             roots = (root for root in list_solutions(base, index) if root.is_integer)
             return all((root < low) == sp.true or (root > high) == sp.true for root in roots)
     return False

@@ -329,8 +329,8 @@ def _hold_by_cases(relation: sp.Basic, domain: Domain) -> str | None:
 
     def prove(value: sp.Expr, zero: sp.Expr, part: Domain) -> str | None:
         if value is sp.nan:
-            # No piece is meant here, so there is no value.
-            return SIGN
+            # Between the pieces there is no value.
+            return None
         if value.has(sp.Piecewise):
             return decide_by_pieces((value, zero), part, prove)
         one = slack._replace(value=value)

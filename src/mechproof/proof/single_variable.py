@@ -180,7 +180,7 @@ def holds_near_zero(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _read_power(side: sp.Expr, x: sp.Symbol, is_size: bool) -> tuple[sp.Rational, int]:
-    """Return b and n of b*|x|**n, with n = 0 for any other side. `is_size`: x is its own size."""
+    """Return b and n of b*|x|**n, with n = 0 for any other side. `is_size`: x is not negative."""
     size = sp.Symbol("size", positive=True)
     sized = side.xreplace({sp.Abs(x): size})
     is_even = sized.subs(x, -x) == sized

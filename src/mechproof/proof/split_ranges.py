@@ -37,7 +37,7 @@ def _split_at_hole(relation: sp.Basic, domain: Domain) -> list[Domain]:
 
 
 def _split_at_edge(relation: sp.Basic, domain: Domain) -> list[Domain]:
-    """Split off where two letters of one angle are tied by x = b, the edge of x <= b."""
+    """Split off the edge x = b of a condition x <= b that ties two letters of one angle."""
     angles = [find_free(wave.args[0]) for wave in relation.atoms(*TURNING)]
     for said in domain.where:
         slack = find_slack(said)
