@@ -253,7 +253,7 @@ def _is_special(task: Task, kind: str, at: Judging, number: int) -> bool:
     return bool(is_open) and special is not None and special.row.says != task.row.says
 
 
-# All changes of rows after these are judged one by one, in their order.
+# The changes that are made, in this order, once every row has been judged by itself.
 _CHANGES: tuple[Callable[[Judging], Changes], ...] = (
     *(_compare_members, constrained_rows.follow_from_constraints),
     *(restated_prints.compare_rates, restated_prints.compare_restated),

@@ -17,7 +17,7 @@ from mechproof.latex.matrix_meaning import is_matrix
 from mechproof.latex.measures import is_number
 from mechproof.latex.printed_relations import EQUAL
 from mechproof.latex.reader import Print
-from mechproof.latex.words import OPENS_UPRIGHT
+from mechproof.latex.words import OPENS_WORDS
 from mechproof.nomenclature.block import Block
 from mechproof.nomenclature.cells import find_unit
 from mechproof.nomenclature.said import Said
@@ -31,7 +31,7 @@ T = TypeVar("T")
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _NUMBER = re.compile(r"\(\s*\d+\s*(?:\\right\s*)?\)")
 _CONSTANT = re.compile(
-    rf"=\s*(?:{OPENS_UPRIGHT}|\{{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}}?"
+    rf"=\s*(?:{OPENS_WORDS}|\{{\\rm)?\s*[ck]onst(?:ant)?\.?\s*\}}?"
     r"(?:\\[,;]|\s)*[.,;]?\s*\Z"
 )
 # A number or a bracket, and what may be its unit in italics; some units are spelled as no product
@@ -55,7 +55,7 @@ _RELATION = re.compile(
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.
-_WORDS = re.compile(rf"{OPENS_UPRIGHT}[^{{}}]*\}}")
+_WORDS = re.compile(r"\\(?:text[a-z]*|[mh]box|emph|intertext|mathrm|operatorname\*?)\s*\{[^{}]*\}")
 
 
 def refuse_units(read: Print) -> None:

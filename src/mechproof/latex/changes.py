@@ -14,7 +14,7 @@ from functools import cached_property
 from itertools import groupby
 
 from mechproof.latex.latex_signs import join, same_sign
-from mechproof.latex.words import OPENS_UPRIGHT
+from mechproof.latex.words import OPENS_WORDS
 
 # Cell and row separators, which cannot be marked as parts of a formula.
 PARTING = ("&", r"\\")
@@ -28,7 +28,7 @@ _OPENERS = {"(": "b", "[": "b", "{": "{", r"\left": "l", r"\begin": "e"}
 _CLOSERS = {")": "b", "]": "b", "}": "{", r"\right": "l", r"\end": "e"}
 
 SIGN = re.compile(
-    OPENS_UPRIGHT + r"[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
+    OPENS_WORDS + r"[^{}]*\}|\\(?:begin|end)\s*\{[^{}]*\}"
     r"|\\left\s*(?:\\[A-Za-z]+|\\.|.)|\\right\s*(?:\\[A-Za-z]+|\\.|.)|\\[A-Za-z]+\*?|\\.|\S",
     re.DOTALL,
 )

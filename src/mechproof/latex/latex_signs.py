@@ -68,7 +68,7 @@ _SAME = {
 # A star above a letter is part of its name, as a prime is.
 STAR = "^*"
 SUFFIXES = ("'", STAR)
-# Both signs.
+# Double signs: plus-minus and minus-plus.
 DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 # Dot and cross, which mean the same between numbers.
 DOTS = (r"\cdot", r"\times")

@@ -24,7 +24,7 @@ ENVIRONMENTS = {
 WITH_COLUMNS = ("array", *(f"{kind}NiceArray" for kind in ("", "p", "b", "B", "v")))
 # Accents and typefaces of vectors and matrices.
 VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\underline")
-# Accents for derivatives by the time, and all accents and typefaces.
+# Accents for derivatives with respect to time, and all accents and typefaces.
 DOTTED = (r"\dot", r"\ddot", r"\dddot")
 ACCENTS = (
     *(*DOTTED, r"\bar", r"\overline", r"\hat", r"\tilde"),

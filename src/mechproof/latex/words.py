@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-# How words begin, and words or names in upright letters.
+# How words begin; and how words, or names in upright letters, begin.
 OPENS_TEXT = r"\\(?:text(?:rm|it|sf|bf|up|normal)?|mbox|hbox|emph)\s*\{"
-OPENS_UPRIGHT = rf"(?:{OPENS_TEXT}|\\(?:mathrm|operatorname\*?)\s*\{{)"
+OPENS_WORDS = rf"(?:{OPENS_TEXT}|\\(?:mathrm|operatorname\*?)\s*\{{)"
 AND = r"\text{and}"
 _IF = (
     *("if", "for", "at", "where", "since", "when", "whenever", "with", "provided", "provided that"),

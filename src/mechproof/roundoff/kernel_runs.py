@@ -33,7 +33,7 @@ def run_stage(stage: Stage, given: Mapping[str, Any], arithmetic: Arithmetic) ->
 
 
 def run_test(test: Program | None, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
-    """Return whether a condition is true; none always is."""
+    """Return whether a condition is true; a missing one always is."""
     return True if test is None else run(test, given, arithmetic)[0]
 
 

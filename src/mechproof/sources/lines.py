@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from mechproof.latex.latex_signs import SPACING, same_sign
 from mechproof.latex.printed_relations import EQUAL, RELATIONS
 from mechproof.latex.several_equations import ARROWS, EQUIVALENCES
-from mechproof.latex.words import OPENS_TEXT, OPENS_UPRIGHT
+from mechproof.latex.words import OPENS_TEXT, OPENS_WORDS
 from mechproof.sources.located_text import LocatedText, join
 
 # Environments that only stack lines; between dollars, Markdown even has whole displays.
@@ -44,9 +44,7 @@ _BLANK = (*_WIDE, *_NARROW, "\\ ", "&", "~", r"\displaystyle")
 # Signs that continue an equation: \left. precedes the end of a bracket opened on another line.
 _CONTINUING = (*RELATIONS, "+", r"\left.")
 # What may separate an equation from the range of its index.
-_BEFORE_RANGE = (
-    rf"(?:\\q?quad|\\[,;: ]|~|,|\s|{OPENS_UPRIGHT}\s*(?:for|with|where)\s*\}}|\\forall)*"
-)
+_BEFORE_RANGE = rf"(?:\\q?quad|\\[,;: ]|~|,|\s|{OPENS_WORDS}\s*(?:for|with|where)\s*\}}|\\forall)*"
 _RANGE = re.compile(
     rf"{_BEFORE_RANGE}"
     r"(?<![A-Za-z])[a-z]\s*(?:=|\\in\s*\\\{)\s*\d+\s*,\s*(?:\d+\s*,\s*)*"
@@ -58,14 +56,14 @@ _LIST = re.compile(
 )
 # "For all x" says nothing of a letter that is real anyway; for i to n it may say that they count.
 _ALL = re.compile(
-    rf"{_BEFORE_RANGE}(?:\\forall|{OPENS_UPRIGHT}\s*for (?:all|any|every)\s*\}})"
+    rf"{_BEFORE_RANGE}(?:\\forall|{OPENS_WORDS}\s*for (?:all|any|every)\s*\}})"
     r"(?:\s|~|\\[,;: ])*(?:(?![i-n])[A-Za-z]|\\[a-z]+)(?:_(?:\w|\{\w+\}))?\s*\Z"
 )
 _INDEX = r"_(?:\s*|\{{[^{{}}]*){}(?![A-Za-z])"
-_TITLE_AT_START = re.compile(rf"\A\s*(?:{OPENS_UPRIGHT}[^{{}}]*\}}|[A-Z])\s*:(?!\s*=)")
+_TITLE_AT_START = re.compile(rf"\A\s*(?:{OPENS_WORDS}[^{{}}]*\}}|[A-Z])\s*:(?!\s*=)")
 _LEADS = (*ARROWS, *EQUIVALENCES, r"\therefore")
 _LINKS = r"and|or|resp\.?|hence|thus|therefore|so|so that|whence|i\.e\.|und|also|somit|et|donc|,|;"
-_WORD = rf"{OPENS_UPRIGHT}[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
+_WORD = rf"{OPENS_WORDS}[\s\\;,~]*(?:{_LINKS})?[\s\\;,~]*\}}"
 _SIGN_AT_END = re.compile(r"([=+-])(?:\s|\{\}|\\[,;:! ])*\Z")
 _SIGN_AT_START = re.compile(r"(?:\s|\{\}|\\[,;:! ]|\\phantom\s*\{[^{}]*\})*([=+-])")
 _ARROW = "|".join(map(re.escape, _LEADS))
@@ -112,7 +110,7 @@ _DENYING = re.compile(
     re.IGNORECASE,
 )
 _VALUE = re.compile(r"(?:[1-9]|\d\.?0)\s*\Z")
-_CONDITION = re.compile(rf"{OPENS_UPRIGHT}\s*(?:if|for|at|when|where|with)\b")
+_CONDITION = re.compile(rf"{OPENS_WORDS}\s*(?:if|for|at|when|where|with)\b")
 
 
 def split_lines(body: LocatedText) -> list[LocatedText]:

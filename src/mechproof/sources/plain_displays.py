@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from mechproof.latex.latex_signs import find_brace
-from mechproof.latex.words import ITALICS, OPENS_TEXT, OPENS_UPRIGHT
+from mechproof.latex.words import ITALICS, OPENS_TEXT, OPENS_WORDS
 from mechproof.sources.located_text import LocatedText, join
 from mechproof.sources.macros import Macro
 
@@ -80,7 +80,7 @@ _ALIKE = tuple(
         (r"\\rbrace(?![A-Za-z])", r"\\}"),
         (r"\\begin\{array\}\s*\[[tcb]\]", r"\\begin{array}"),
         # A comma or a point in words.
-        (rf"{OPENS_UPRIGHT}[\s~]*(?P<mark>[.,;])[\s~]*\}}", r"\g<mark> "),
+        (rf"{OPENS_WORDS}[\s~]*(?P<mark>[.,;])[\s~]*\}}", r"\g<mark> "),
         (r"\\text\s*\{\s*d\s*\}", r"\\mathrm{d}"),
         # Matrices of the package physics in brackets: their rows are not those of the display.
         (rf"\\s?mqty\s*\((?P<rows>{_ROUND})\)", r"\\pmqty{\g<rows>}"),

@@ -12,7 +12,7 @@ from itertools import chain, pairwise
 
 from mechproof.document.source_rows import Document
 from mechproof.latex.characters import GREEK
-from mechproof.latex.words import OPENS_UPRIGHT
+from mechproof.latex.words import OPENS_WORDS
 from mechproof.nomenclature.block import BlockError
 from mechproof.nomenclature.counting_letters import find_counted, find_counts
 from mechproof.nomenclature.said import Said
@@ -63,7 +63,7 @@ _ARGUMENTS = re.compile(r"(?<=.)\([^()]*\)\Z")
 _DEPENDS = re.compile(r"(.+?)'*\((\\?[A-Za-z]+)\)\Z", re.DOTALL)
 # A derivative of a letter by another.
 _D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*"
-_INDEX = rf"_(?:\w|\{{\w+\}}|(?:\{{\s*)?{OPENS_UPRIGHT}[^{{}}]*\}}\s*\}}?)"
+_INDEX = rf"_(?:\w|\{{\w+\}}|(?:\{{\s*)?{OPENS_WORDS}[^{{}}]*\}}\s*\}}?)"
 _OF = rf"{_D}(?:\^\s*\{{?\d\}}?)?\s*(?P<of>\\?[A-Za-z]+(?:{_INDEX})?)\s*"
 # A derivative by \dot q shows no letter that the other one depends on.
 _ACCENT = r"\\(?:d+ot|vec|bar|hat|tilde|math[a-z]+|bm)(?![A-Za-z])"

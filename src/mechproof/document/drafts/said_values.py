@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from mechproof.document.example_values import find_example
-from mechproof.latex.words import OPENS_UPRIGHT
+from mechproof.latex.words import OPENS_WORDS
 from mechproof.nomenclature.inline import (
     CALL,
     EQUATION,
@@ -34,7 +34,7 @@ _REFERENCE = re.compile(r"\\(?:eq|c|C|auto)?ref\s*\{([^{}]*)\}|(\(\d+(?:\.\d+)*[
 _NEAR = 400
 # An equation in a sentence, after an introducing word or after another equation.
 _RELATION = re.compile(
-    rf"\$(?P<left>[^$=]{{2,80}})=(?!\s*{OPENS_UPRIGHT}\s*const)(?P<right>[^$=]{{1,80}})\$"
+    rf"\$(?P<left>[^$=]{{2,80}})=(?!\s*{OPENS_WORDS}\s*const)(?P<right>[^$=]{{1,80}})\$"
     r"|\$[^$]*\$"
 )
 _INTRODUCED = re.compile(r"(?:\b(?:[Ww]ith|[Ww]here)|=[^$=]{1,80}\$,?\s+and)\s+\Z")
@@ -298,7 +298,8 @@ def find_extremes(
         for match in pattern.finditer(text):
             said = match.groupdict()
             offset = source.text.offsets[match.start()]
-            letter = said.get("letter") or _find_letter(displays, offset)
+            before = [d for d in displays if source.places[d.latex.offsets[0]] < match.start()]
+            letter = said.get("letter") or _find_letter(before)
             known = names.get(name_symbol(letter))
             place = EQUATION.match(said["place"]) if said["place"] else None
             by = place["letter"].strip() if place else running.get(known or "", "")
@@ -318,8 +319,7 @@ def find_extremes(
                 yield from (f"# line {line} says:", f"{mark}claim {claim}")
 
 
-def _find_letter(displays: Sequence[Printed], offset: int) -> str:
-    """Return the left side of the last display before a place, or "" if there is none."""
-    before = [one for one in displays if one.latex.offsets[0] < offset]
-    first = next((one for one in before if one.group == before[-1].group), None)
+def _find_letter(displays: Sequence[Printed]) -> str:
+    """Return the left side of the last display, or "" if there is none."""
+    first = next((one for one in displays if one.group == displays[-1].group), None)
     return first.latex.string.partition("=")[0].strip() if first else ""
