@@ -20,6 +20,10 @@ SQUARES = (
     r"\sum_{k=1}^n\left(\frac1{2^{2k}%s2^{100}}-\frac1{2^{2k+2}%s2^{100}}\right)"
     r"=\frac1{4%s2^{100}}-\frac1{2^{2n+2}%s2^{100}}"
 )
+INVERSE_ROOTS = (
+    r"\sum_{k=1}^n\left(\frac1{\sqrt[3]{%s}}-\frac1{\sqrt[3]{%s}}\right)"
+    r"=\frac1{\sqrt[3]{%s}}-\frac1{\sqrt[3]{%s}}"
+)
 NO_HOLE = "x^2-0.6x+0.09005"
 HOLE = "x^2-0.6x+0.08995"  # negative between two irrational numbers near 0.3
 EXP = r"\mathrm{e}^{\ln(%s)}=%s"
@@ -61,6 +65,10 @@ PAIRS = {
     "poles among terms with squares of powers": (
         (SQUARES % (*"++++",), (COUNT,)),
         (SQUARES % (*"----",), (COUNT,)),
+    ),
+    "what divides a term is asked about where its index runs": (
+        (INVERSE_ROOTS % ("k", "k+1", "1", "n+1"), (COUNT,)),
+        (INVERSE_ROOTS % ("k-9", "k-8", "-8", "n-8"), (COUNT,)),
     ),
     "between pieces": (
         (r"\begin{cases}1+x^2&x\le0.37\\2+x^2&x>0.37\end{cases}>0", ()),

@@ -61,14 +61,19 @@ def describe_zero_quotients(sides: Sequence[sp.Expr], domain: Domain) -> str:
 
 
 def _list_divisors(sides: Sequence[sp.Expr], domain: Domain) -> Iterator[sp.Expr]:
-    """Yield expressions with counts that may be zero and then leave a side without a value."""
+    """Yield expressions with counts that may be zero and then leave a side without a value.
+
+    Those with a letter bound by a sum or an integral are left out: its limits decide there.
+    """
+    free = {symbol for side in sides for symbol in find_free(side)}
     below = {divisor for side in sides for divisor in list_divisors(side)}
     # A factorial of a negative integer in a denominator is no pole: its reciprocal is zero there.
     above = {f for side in sides for f in find_parts(side, sp.factorial)} - below
     ends = {end for factorial in above for end in list_ends(factorial)}
     for divisor in sorted(below | ends, key=sp.default_sort_key):
         shown = divisor.args[0] - 1 if isinstance(divisor, sp.log) else divisor
-        counts = any(is_count(s, domain) for s in find_free(shown))
+        letters = find_free(shown)
+        counts = letters <= free and any(is_count(s, domain) for s in letters)
         if counts and not is_nonzero(shown, domain):
             yield shown
 
