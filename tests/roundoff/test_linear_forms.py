@@ -13,7 +13,7 @@ from flint import arb
 from mechproof.arithmetic import interval_functions, linear_forms
 from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.arithmetic.intervals import Array, Interval, careful, list_spans
-from mechproof.arithmetic.linear_forms import LinearForm
+from mechproof.arithmetic.linear_forms import LinearForm, list_pairs
 
 COUNT, SIDES = 300, 3
 OPERATIONS: dict[str, Callable[..., Any]] = {
@@ -61,25 +61,33 @@ def count_missed(found: Interval, spans: list[Interval], at: Array, values: list
     missed = 0
     parts = np.broadcast_arrays(found.low, found.high, found.form.middle, found.form.rest)
     changes = np.broadcast_to(found.form.changes, (SIDES, COUNT))
+    pairs = list(zip(*list_pairs(SIDES), strict=True))
+    bends = np.broadcast_to(found.form.bends, (len(pairs), COUNT))
     for row, value in enumerate(values):
         low, high, middle, rest = (float(part[row]) for part in parts)
         if not np.isfinite([low, high, middle, rest]).all():
             continue
         missed += not (to_ball(low) <= value <= to_ball(high))
+        ways = [_find_way(span, side, row, at) for side, span in enumerate(spans)]
         about = arb(middle)
-        for side, change in enumerate(changes):
-            form = spans[side].form
-            assert form is not None
-            way = Fraction(float(at[row, side])) - Fraction(float(form.middle[row]))
-            if way:
-                about += arb(float(change[row])) * to_ball(way / Fraction(form.changes[side][row]))
+        for way, change in zip(ways, changes, strict=True):
+            about += arb(float(change[row])) * way
+        for (one, other), bend in zip(pairs, bends, strict=True):
+            about += arb(float(bend[row])) * ways[one] * ways[other]
         missed += not abs(value - about) <= arb(rest)
     return missed
 
 
-def miss_operation(kind: str) -> int:
+def _find_way(span: Interval, side: int, row: int, at: Array) -> arb:
+    """Return how far a place is along a side, from -1 to 1."""
+    assert span.form is not None
+    way = Fraction(float(at[row, side])) - Fraction(float(span.form.middle[row]))
+    return to_ball(way / Fraction(span.form.changes[side][row])) if way else arb(0)
+
+
+def miss_operation(kind: str, *, is_bent: bool = False) -> int:
     boxes = draw_boxes(1)
-    spans = list_spans(boxes, has_forms=True)
+    spans = list_spans(boxes, has_forms=True, is_bent=is_bent)
     with careful(moves=False):
         found = OPERATIONS[kind](*spans)
     assert np.sum(found.is_finite) > COUNT / 3
@@ -92,10 +100,10 @@ def miss_operation(kind: str) -> int:
         )
 
 
-def miss_function(name: str) -> int:
+def miss_function(name: str, *, is_bent: bool = False) -> int:
     enclose, exact = FUNCTIONS[name]
     boxes = draw_boxes(3, mixed=name not in ("log", "sqrt"))
-    spans = list_spans(boxes, has_forms=True)
+    spans = list_spans(boxes, has_forms=True, is_bent=is_bent)
     with careful(moves=False):
         found = enclose(spans[0])
     assert np.sum(found.is_finite) > COUNT / 3
@@ -106,14 +114,43 @@ def miss_function(name: str) -> int:
         )
 
 
+@pytest.mark.parametrize("is_bent", [False, True])
 @pytest.mark.parametrize("kind", OPERATIONS)
-def test_operations_hold_what_is_at_a_place(kind: str) -> None:
-    assert miss_operation(kind) == 0
+def test_operations_hold_what_is_at_a_place(kind: str, is_bent: bool) -> None:
+    assert miss_operation(kind, is_bent=is_bent) == 0
 
 
+@pytest.mark.parametrize("is_bent", [False, True])
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_functions_hold_what_is_at_a_place(name: str) -> None:
-    assert miss_function(name) == 0
+def test_functions_hold_what_is_at_a_place(name: str, is_bent: bool) -> None:
+    assert miss_function(name, is_bent=is_bent) == 0
+
+
+@pytest.mark.parametrize("kind", ["product", "square of a sum", "quotient"])
+def test_bends_that_are_left_out_are_caught(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(LinearForm, "_cross", lambda self, other: 0 * self.bends)
+    assert miss_operation(kind, is_bent=True) > 0
+
+
+@pytest.mark.parametrize("name", ["1/x", "sqrt"])
+def test_a_series_with_a_wrong_coefficient_is_caught(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expand = linear_forms._expand
+
+    def change(form: Any, low: Any, high: Any, series: Any, last: Any) -> LinearForm:
+        value, slope, half = series
+        return expand(form, low, high, (value, slope, -half), last)
+
+    monkeypatch.setattr(linear_forms, "_expand", change)
+    assert miss_function(name, is_bent=True) > 0
+
+
+@pytest.mark.parametrize("name", ["1/x", "sqrt"])
+def test_a_series_without_its_error_is_caught(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    expand = linear_forms._expand
+    monkeypatch.setattr(linear_forms, "_expand", lambda *given: expand(*given[:-1], 0.0))
+    assert miss_function(name, is_bent=True) > 0
 
 
 @pytest.mark.parametrize("kind", ["product", "square of a sum", "quotient"])
@@ -166,6 +203,15 @@ def test_what_cancels_is_of_second_order() -> None:
         widths.append(found.high - found.low)
     assert np.all(widths[0][:-1] > 3.9 * widths[0][1:])
     assert np.all(widths[0] < 0.2 * widths[1])
+
+
+def test_what_cancels_is_of_third_order_with_bends() -> None:
+    boxes = np.array([[(1 - h, 1 + h), (2 - h, 2 + h)] for h in (0.1, 0.05, 0.025)])
+    x, y = list_spans(boxes, has_forms=True, is_bent=True)
+    found = x * y * (x + y).inverted() - (x.inverted() + y.inverted()).inverted()
+    widths = found.high - found.low
+    assert np.all(widths[:-1] > 7 * widths[1:])
+    assert widths[-1] < 1e-4
 
 
 def test_a_side_without_an_end_has_no_form() -> None:

@@ -280,15 +280,15 @@ def between(low: Ends, high: Ends) -> Interval:
     return Interval(np.where(endless, np.nan, low), np.where(endless, np.nan, high))
 
 
-def list_spans(boxes: Array, *, has_forms: bool = False) -> list[Interval]:
+def list_spans(boxes: Array, *, has_forms: bool = False, is_bent: bool = False) -> list[Interval]:
     """Return the interval of each side, for many boxes at once, shape (boxes, sides, 2).
 
     With `has_forms`, sides that are finite in all boxes have linear forms.
     """
     spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
-    for side, span in enumerate(spans):
-        if has_forms and np.all(span.is_finite):
-            span.form = along(side, len(spans), span.low, span.high)
+    finite = [span for span in spans if has_forms and np.all(span.is_finite)]
+    for side, span in enumerate(finite):
+        span.form = along(side, len(finite), span.low, span.high, is_bent=is_bent)
     return spans
 
 
