@@ -62,6 +62,7 @@ parameter = sp.Symbol("s", real=True)
 HALF_TANGENTS = sp.symbols("t_alpha t_beta t_gamma", real=True)
 AXIS = sp.Matrix(sp.symbols("v_x v_y v_z", real=True))
 w, scale = sp.symbols("w scale", real=True)
+SCALED_AXIS = sp.Matrix(sp.symbols("s_x s_y s_z", real=True))
 QUATERNION = (
     sp.Quaternion(1, HALF_TANGENTS[0], 0, 0)
     * sp.Quaternion(1, 0, HALF_TANGENTS[1], 0)
@@ -160,6 +161,10 @@ VARIABLES = (
         for symbol, value in zip((w, *AXIS), QUATERNION.args, strict=True)
     ),
     Variable(scale, "2/|quaternion|^2", given=2 / (w**2 + AXIS.dot(AXIS))),
+    *(
+        Variable(symbol, "part of the quaternion, times the scale", given=scale * part)
+        for symbol, part in zip(SCALED_AXIS, AXIS, strict=True)
+    ),
 )
 NOTATION = replace(
     PRINT.notation,

@@ -75,7 +75,7 @@ def test_tilt_and_offset_are_found_again(
         found = wheel.largest_offset(**{name: float(error)}, tilt=tilt)
         again = exact_largest(wheel, name, tilt, found)
         size = wheel.R + abs(wheel.A) + wheel.H
-        # The subtracted displacement is good to 13.5 eps of its size.
+        # The subtracted displacement is good to 9 eps of its size.
         assert abs(again - error) <= 20 * EPS * (error + 2 * math.sin(tilt / 2) * size)
 
 

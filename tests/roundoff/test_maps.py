@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
+from operator import mul
 
 import numpy as np
 import pytest
@@ -12,16 +14,20 @@ import sympy as sp
 from derived import paper_of
 from weights import first_of
 
+from mechproof.arithmetic.intervals import EPS, Array, exactly
 from mechproof.derivations.track_wheel.kernels.poses import ROTATION
 from mechproof.derivations.track_wheel.mechanics import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
-from mechproof.roundoff.affine import find_size
+from mechproof.roundoff.affine import AffineMap, find_size
 from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.kernel_stages import list_computed_stages
+from mechproof.roundoff.moved_matrices import bound_stretch, sort_moves
 from mechproof.roundoff.regions import list_regions
-from mechproof.roundoff.steps import EXACT
+from mechproof.roundoff.running import fma
+from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram
 from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.worst import measure
+from mechproof.roundoff.written_scales import share_equal_steps
 
 DRAWN = sp.symbols("drawn:3")
 P, T, D = sp.symbols("p:3"), sp.symbols("t:3"), sp.Symbol("D")
@@ -86,6 +92,62 @@ def test_roundings_of_the_entries_and_of_the_sums_count(way: str) -> None:
     exact = replace(entries, steps=tuple(replace(s, ulps=EXACT) for s in entries.steps))
     sums = bound_at(replace(subject, map=replace(subject.map, entries=exact)), 0.5, 0.4, 0.3)
     assert 1.5 <= sums < 3
+
+
+def bound_sums(matrix: Array, *, is_fused: bool) -> float:
+    """Bound the roundings of products and sums alone, in eps of |M|*|p|."""
+    affine = AffineMap(StraightLineProgram((), (), ()), tuple("xyz"), tuple("abc"), is_fused)
+    entries = [[exactly(np.array([entry])) for entry in row] for row in matrix]
+    moves = [[affine.list_sums(i, j, e) for j, e in enumerate(r)] for i, r in enumerate(entries)]
+    return float(bound_stretch(sort_moves(moves))[0]) / float(np.linalg.norm(matrix, 2))
+
+
+def add_in_some_order(row: Array, point: Array, rng: np.random.Generator) -> float:
+    one, two, three = rng.permutation(row * point)
+    return float((one + two) + three)
+
+
+def fuse(row: Array, point: Array, rng: np.random.Generator) -> float:
+    total = np.float64(0.0)
+    for entry, part in zip(row[::-1], point[::-1], strict=True):
+        total = fma(entry, part, total)
+    return float(total)
+
+
+@pytest.mark.parametrize(("add", "is_fused"), [(add_in_some_order, False), (fuse, True)])
+def test_products_and_sums_are_off_by_less_than_their_bound(
+    add: Callable[[Array, Array, np.random.Generator], float], is_fused: bool
+) -> None:
+    """Fused, they are off by less than two thirds of what sums in any order may be."""
+    rng = np.random.default_rng(4)
+    highest = 0.0
+    for matrix in rng.normal(size=(12, 3, 3)):
+        size, bound = np.linalg.norm(matrix, 2), bound_sums(matrix, is_fused=is_fused)
+        for point in rng.normal(size=(200, 3)):
+            exact = [sum(map(mul, map(Fraction, row), map(Fraction, point))) for row in matrix]
+            off = [
+                float(Fraction(add(row, point, rng)) - e)
+                for row, e in zip(matrix, exact, strict=True)
+            ]
+            share = np.linalg.norm(off) / (size * np.linalg.norm(point)) / EPS / bound
+            highest = max(highest, float(share))
+    assert 0.3 < highest <= 1
+    fused, whole = (bound_sums(matrix, is_fused=is_fused) for is_fused in (True, False))
+    assert fused < 0.67 * whole
+
+
+def test_equal_steps_of_different_angles_stay_apart() -> None:
+    """Both parts are modelled as 1, but their unknown factors differ."""
+    parts = (Step("p", "copy", (1.0,), EXACT, scaled="a"), Step("q", "copy", (1.0,), EXACT))
+    products = [
+        Step(name, "multiply", ("x", part), HALF) for name, part in zip("uvw", "pqp", strict=True)
+    ]
+    apart = (parts[0], replace(parts[1], scaled="b"), *products)
+    shared = share_equal_steps(StraightLineProgram(("a", "b", "x"), apart, ("u", "v", "w")))
+    assert shared.outputs == ("u", "v", "u")
+    alike = (parts[0], replace(parts[1], scaled="a"), *products)
+    merged = share_equal_steps(StraightLineProgram(("a", "b", "x"), alike, ("u", "v", "w")))
+    assert merged.outputs == ("u", "u", "u")
 
 
 def test_a_lost_operation_is_off_by_more() -> None:

@@ -1,9 +1,9 @@
 """Scalar kernels: in, a paper; out, programs that compute one point at a time.
 
-The programs are those of the NumPy kernels with deferred divisions; an affine stage becomes fused
-products, and the elementary functions that occur are themselves programs of plain arithmetic. Sums
-over axes of any length become calls of loops over their terms; the term that a loop adds up, or
-tests for every element, is a program of one element of each array.
+The programs are those of the NumPy kernels with deferred divisions; in an affine stage products are
+fused with sums, and the elementary functions that occur are themselves programs of plain
+arithmetic. Sums over axes of any length become calls of loops over their terms; the term that a
+loop adds up, or tests for every element, is a program of one element of each array.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
+from mechproof.programs.fused_products import fuse_products
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.operations import KINDS, REDUCTIONS, VIEWS
 from mechproof.programs.program import (
@@ -185,9 +186,15 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
     return tuple(put_off_divisions(k) for k in list_functions(paper) if k.is_shipped)
 
 
+def adapt_stage(stage: Stage) -> Stage:
+    """Return a stage with deferred divisions and, if it is affine, with fused products."""
+    deferred = stage.change(defer_divisions)
+    return deferred.change(fuse_products) if stage.affine else deferred
+
+
 def put_off_divisions(kernel: Kernel) -> Kernel:
     """Return a kernel with deferred divisions, for loops that compute one point at a time."""
-    stages = tuple(stage.change(defer_divisions) for stage in kernel.code.stages)
+    stages = tuple(map(adapt_stage, kernel.code.stages))
     adapted = replace(kernel, code=replace(kernel.code, stages=stages))
     components = {c for a in list_arguments(kernel) if a.width for c in a.components}
     return _rename_steps(adapted, components)

@@ -1,8 +1,9 @@
 """Affine: a map M*p + v of points, and a bound on the norm of its error.
 
-Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`). Each
-product, and every sum that it enters, adds a rounding, whatever the order of the sums and whether
-they are fused: at most |p| times a matrix of absolute values.
+Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`), and so
+does each rounding of a sum of products. Fused, a row has the sums of its last products. If the
+order of the sums is unknown, a row has its products, sums of some of them (at most the sum of their
+sizes), the sum of all, and this plus the shift.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.arithmetic.intervals import EPS, UNIT, Ends
+from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, exactly
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import ErrorAnalysis
@@ -25,11 +26,15 @@ from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
 @dataclass(frozen=True)
 class AffineMap:
-    """The steps of a matrix, row by row; the names of a point's coordinates and of the shift's."""
+    """The steps of a matrix, row by row; the names of a point's coordinates and of the shift's.
+
+    `is_fused` states that the products are fused with their sums, the last product first.
+    """
 
     entries: StraightLineProgram
     points: tuple[str, ...]
     shift: tuple[str, ...]
+    is_fused: bool = False
 
     @property
     def rows(self) -> list[tuple[Operand, ...]]:
@@ -57,16 +62,23 @@ class AffineMap:
         count = len(self.points)
         assert bar.scale is not None
         moves = [[evaluation.list_moves(e, bar.scale) for e in row] for row in self.rows]
-        sizes = [[evaluation.compare(entry, bar) for entry in row] for row in self.rows]
-        boxes = np.broadcast_shapes(*(np.shape(size) for row in sizes for size in row))
-        moved = sort_moves(moves, boxes)
-        boxes = moved.rest.shape[2:]
-        more = np.array([[np.broadcast_to(size, boxes) for size in row] for row in sizes])
-        more = more * _add_roundings(count + 1)
-        norm = bound_stretch(replace(moved, rest=moved.rest + more / EPS))
+        for i, row in enumerate(self.rows):
+            for j, entry in enumerate(row):
+                size = (evaluation.value(entry) / bar.scale).expanded()
+                moves[i][j] |= self.list_sums(i, j, size)
+        norm = bound_stretch(sort_moves(moves))
         # The second factor is needed as other roundings have already moved what a rounding moves.
-        norm = norm * (1 + EPS * len(self.entries.steps)) * (1 + 2 * EPS * norm)
-        return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
+        roundings = len(self.entries.steps) + 2 * count**2
+        norm = norm * (1 + EPS * roundings) * (1 + 2 * EPS * norm)
+        of_shift = _add_roundings(count if self.is_fused else 1) / EPS
+        return np.where(np.isfinite(norm), np.maximum(norm, of_shift), np.inf)
+
+    def list_sums(self, i: int, j: int, entry: Interval) -> dict[str, Interval]:
+        """Return how far roundings of products and sums move the map, as if they moved an entry."""
+        half = exactly(UNIT / EPS)
+        if self.is_fused:
+            return {f"sum{i}{k}": entry * half for k in range(j + 1)}
+        return {f"products{i}{j}": entry, f"sums{i}": entry}
 
     def compute_scale(self, size: Any, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
         """Return D*|p| + |v|."""

@@ -32,8 +32,9 @@ from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
 # The most boxes, over all regions, that a proof of a bound may use. Boxes with many sides get
-# fewer, as a cut is tried across each side, and so do those of maps, whose matrices take longer.
-MOST, MOST_OF_MANY, MANY_SIDES, MOST_WITH_FORMS = 16000, 300, 10, 6000
+# fewer, as a cut is tried across each side, and so do programs that linear forms bound; maps, whose
+# roundings are the most, get more.
+MOST, MOST_OF_MANY, MANY_SIDES, MOST_WITH_FORMS, MOST_OF_MAPS = 16000, 300, 10, 6000, 20000
 # Where the search for the lowest bound starts and gives up, in eps, and its resolution as a share
 # of the bound.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
@@ -240,6 +241,8 @@ def _limit(subject: ComputedStage) -> int:
     sides = max(len(region.box) for region in _list_regions(subject))
     if sides >= MANY_SIDES:
         return MOST_OF_MANY
+    if subject.map:
+        return MOST_OF_MAPS
     return MOST_WITH_FORMS if subject.has_forms else MOST
 
 

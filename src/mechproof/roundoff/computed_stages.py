@@ -202,7 +202,12 @@ class ComputedStage:
         # If the scale has terms of its own, sines and cosines that vanish cancel term by term.
         waves = sum(map(kinds.count, WAVES)) if self.scale and self.scale.terms else 0
         variables, monomials, turn = region.enter(
-            boxes, kinds.count("tan"), forced, waves, has_forms=self.has_forms
+            boxes,
+            kinds.count("tan"),
+            forced,
+            waves,
+            has_forms=self.has_forms,
+            is_bent=self.map is not None,
         )
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()

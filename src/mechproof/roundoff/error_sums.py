@@ -74,11 +74,6 @@ class ErrorSums:
         total = total * (1 + EPS * len(self.rounded)) * (1 + 2 * EPS * total)
         return np.where(np.isfinite(total), total, np.inf)
 
-    def compare(self, output: Operand, bar: ErrorScale) -> Ends:
-        """Bound the size of a computed output, as a multiple of the scale."""
-        assert bar.scale is not None
-        return (self.value(output) / bar.scale).expanded().largest()
-
     def list_errors(self, output: Operand, bar: ErrorScale) -> dict[str, Ends]:
         """Bound each step's contribution to the error of an output, in eps of the scale."""
         return {r: take_least(*found) for r, found in self._list_shares(output, bar).items()}

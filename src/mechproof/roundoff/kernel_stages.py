@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.kernel import Kernel, input_names
 from mechproof.programs.program import Stage, map_affinely
-from mechproof.programs.scalar import put_off_divisions
+from mechproof.programs.scalar import adapt_stage, put_off_divisions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap
 from mechproof.roundoff.branches import list_bounded_branches
@@ -26,7 +25,7 @@ from mechproof.roundoff.steps import (
 )
 from mechproof.roundoff.symmetry import check_signs
 from mechproof.roundoff.term_sums import take_sum
-from mechproof.roundoff.written_scales import WrittenScale, write_scale
+from mechproof.roundoff.written_scales import WrittenScale, share_equal_steps, write_scale
 
 
 def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
@@ -77,13 +76,14 @@ def _compile(
     exact: StraightLineProgram,
     scale: WrittenScale | None,
 ) -> ComputedStage:
-    compiled = stage.change(defer_divisions)
+    compiled = adapt_stage(stage)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(find_compensated(expanded))
     _check_functions(straight)
     check_signs(straight, form, input_names(kernel.quantity))
     affine = _find_map(kernel.quantity, stage, straight)
     if affine:
+        affine = replace(affine, is_fused=True)
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
     # So that a ValueError is raised here rather than later, when a bound is requested.
@@ -115,4 +115,4 @@ def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -
     if not {*shift} <= {*straight.inputs}:
         raise ValueError("the shift of an affine map must consist of inputs")
     inputs = (*points, *stage.parameters)
-    return AffineMap(replace(straight, inputs=inputs), points, shift)
+    return AffineMap(share_equal_steps(replace(straight, inputs=inputs)), points, shift)

@@ -20,7 +20,7 @@ from functools import cache
 import numpy as np
 
 from mechproof.arithmetic.intervals import Array, Interval
-from mechproof.arithmetic.linear_forms import state
+from mechproof.arithmetic.linear_forms import list_pairs, state
 
 GOLDEN = (1 + math.sqrt(5)) / 2
 # The number of triangles along the side of an icosahedron's face, and the decimals of corners.
@@ -35,29 +35,26 @@ SLACK = 1 + 2.0**-36
 class MovedMatrix:
     """The matrices by which roundings move a matrix in boxes, and a bound on everything else.
 
-    For each rounding, `moves` has the matrix at the middle of a box and its change towards the end
-    of each side; axes are roundings, middle and sides, rows, columns, boxes. `rest` has the axes
-    rows, columns, boxes.
+    For each rounding, `moves` has the matrix at the middle of a box, its change towards the end of
+    each side and its bends; axes are roundings, middle, sides and pairs of them, rows, columns,
+    boxes. `rest` has the axes rows, columns, boxes.
     """
 
     moves: Array
     rest: Array
 
 
-def sort_moves(
-    moves: Sequence[Sequence[Mapping[str, Interval]]], boxes: tuple[int, ...] = ()
-) -> MovedMatrix:
-    """Collect the moves of all entries; roundings that move a single entry go to the rest.
-
-    `boxes` is the shape of all boxes, to which moves may have to be broadcast.
-    """
+def sort_moves(moves: Sequence[Sequence[Mapping[str, Interval]]]) -> MovedMatrix:
+    """Collect the moves of all entries; roundings that move a single entry go to the rest."""
     known = [move for row in moves for cell in row for move in cell.items()]
     times = Counter(name for name, _ in known)
     shared = {name: place for place, name in enumerate(n for n in times if times[n] > 1)}
-    sides = max((len(move.form.changes) for _, move in known if move.form), default=0)
-    shape = np.broadcast_shapes(boxes, *(np.shape(move.low) for _, move in known))
+    forms = [move.form for _, move in known if move.form]
+    sides = max((len(form.changes) for form in forms), default=0)
+    pairs = max((len(form.bends) for form in forms if form.is_bent), default=0)
+    shape = np.broadcast_shapes(*(np.shape(move.low) for _, move in known))
     size = (len(moves), len(moves[0]))
-    parts = np.zeros((len(shared), 1 + sides, *size, *shape))
+    parts = np.zeros((len(shared), 1 + sides + pairs, *size, *shape))
     rest = np.zeros((*size, *shape))
     for i, j in np.ndindex(size):
         for name, move in moves[i][j].items():
@@ -69,7 +66,14 @@ def sort_moves(
             part = parts[shared[name], :, i, j]
             part[0] = np.where(is_closer, form.middle, plain.middle)
             if sides:
-                part[1:] = np.where(is_closer, form.changes, 0.0)
+                part[1 : 1 + sides] = np.where(is_closer, form.changes, 0.0)
+            if form.is_bent:
+                # The square of a distance, from 0 to 1, is within a half of a half.
+                squares = np.equal(*list_pairs(sides))
+                bends = np.where(is_closer, form.bends, 0.0)
+                bends[squares] /= 2
+                part[0] += bends[squares].sum(axis=0)
+                part[1 + sides :] = bends
             rest[i, j] += np.where(is_closer, form.rest, plain.rest)
     return MovedMatrix(parts, rest)
 

@@ -70,12 +70,13 @@ class ChartRegion:
         zeros: int = 0,
         *,
         has_forms: bool = False,
+        is_bent: bool = False,
     ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
         """Return the variables of boxes, the coordinates as monomials, and the angle's turn.
 
         `poles` and `zeros` are the numbers of variables to reserve for poles and vanishing values.
         """
-        spans = list_spans(boxes, has_forms=has_forms)
+        spans = list_spans(boxes, has_forms=has_forms, is_bent=is_bent)
         if self.turns is not None:
             # Placeholder for the reciprocal of the angle, which is set once the rest is known.
             spans.append(ONE)

@@ -20,6 +20,7 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.roundoff.climb import Measure, Schedule, climb_and_judge
 from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.matrix_climbs import list_starts
 from mechproof.roundoff.regions import ChartRegion
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, IN_EXTENDED, IS_LONGER, LONG_DOUBLE
 
@@ -28,6 +29,8 @@ BITS = 200
 DRAWN = 1000
 # A population soon crowds into one place, so few points take many rounds, and then climb afresh.
 BY_LONG_DOUBLES, ROUNDS, CLIMBS = Schedule(1000, 6), 300, 2
+# Points that are drawn for one matrix are close together from the start.
+FOR_ONE_MATRIX, FEWER_ROUNDS = Schedule(500, 6), 100
 # Number of octaves that coordinates without an end are drawn from.
 OCTAVES = 16.0
 
@@ -43,25 +46,42 @@ class WorstRounding:
 def find_worst(
     subject: ComputedStage, boxes: Sequence[tuple[ChartRegion, Box]], seed: int
 ) -> WorstRounding:
-    """Draw points from boxes of regions and climb from the worst, repeatedly if that is cheap."""
+    """Draw points from boxes of regions and climb from the worst, repeatedly if that is cheap.
+
+    For a map of points climbs start from badly rounded matrices, too.
+    """
     rng = np.random.default_rng(seed)
     # Balls alone take a thousand times as long, so one climb must do.
-    climbs = [_climb(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
+    starts = [_draw_all(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
+    climbs = [_climb(subject, start, rng, BY_LONG_DOUBLES, ROUNDS) for start in starts]
+    if subject.map and IS_LONGER:
+        drawn = list_starts(subject, starts[0], rng)
+        climbs += [_climb(subject, at, rng, FOR_ONE_MATRIX, FEWER_ROUNDS) for at in drawn]
     return max(climbs, key=lambda found: found.eps)
 
 
-def _climb(
+def _draw_all(
     subject: ComputedStage, boxes: Sequence[tuple[ChartRegion, Box]], rng: np.random.Generator
-) -> WorstRounding:
+) -> dict[str, Array]:
     drawn = [draw(subject, region, box, DRAWN, rng) for region, box in boxes]
-    names = tuple(drawn[0])
-    start = tuple(np.concatenate([points[name] for points in drawn]) for name in names)
+    return {name: np.concatenate([points[name] for points in drawn]) for name in drawn[0]}
+
+
+def _climb(
+    subject: ComputedStage,
+    start: Mapping[str, Array],
+    rng: np.random.Generator,
+    schedule: Schedule,
+    rounds: int,
+) -> WorstRounding:
+    names = tuple(start)
 
     def take(measure: Callable[[ComputedStage, Points], Array]) -> Measure:
         return lambda columns: measure(subject, dict(zip(names, columns, strict=True)))
 
     leading = take(estimate) if IS_LONGER else None
-    found = climb_and_judge(take(judge), leading, start, BY_LONG_DOUBLES, ROUNDS, rng)
+    columns = tuple(start.values())
+    found = climb_and_judge(take(judge), leading, columns, schedule, rounds, rng)
     point, eps = found.worst
     return WorstRounding(eps, dict(zip(names, map(float, point), strict=True)))
 

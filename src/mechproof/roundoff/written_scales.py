@@ -182,7 +182,7 @@ def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
 
 
 _COMMUTATIVE = ("add", "multiply")
-Key = tuple[str, tuple[str, ...]]
+Key = tuple[str, Operand, tuple[str, ...]]
 
 
 def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
@@ -205,4 +205,6 @@ def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
 def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
     # Numbers are written by their bits: 0.0 and -0.0 are equal, but not the same operand.
     texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
-    return step.kind, tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts
+    ordered = tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts
+    # Parts of different angles that are both modelled as 1 have different unknown factors.
+    return step.kind, step.scaled, ordered
