@@ -56,6 +56,19 @@ def test_a_rest_with_another_power_is_refused() -> None:
         find_compensated(replace(DOUBLED, steps=tuple(steps)))
 
 
+def test_a_rounded_factor_without_a_rest_is_refused() -> None:
+    """Its rounding moves the product and its rest together, and would not be counted."""
+    steps = list(DOUBLED.steps)
+    first = Step("sum", "add", ("a", "c"), HALF)
+    wrong = [
+        replace(s, operands=tuple("sum" if o == "a" else o for o in s.operands)) for s in steps
+    ]
+    with pytest.raises(ValueError, match="the rounding of its factor sum has no rest"):
+        find_compensated(StraightLineProgram(("a", "b", "c"), (first, *wrong), ("q",)))
+    exact = replace(first, ulps=EXACT)
+    assert find_compensated(StraightLineProgram(("a", "b", "c"), (exact, *wrong), ("q",))).held
+
+
 def test_steps_without_such_rests_stay_as_they_are() -> None:
     steps = tuple(step for step in DOUBLED.steps if step.result in ("twice", "x"))
     plain = StraightLineProgram(("a", "b"), steps, ("x",))

@@ -51,7 +51,21 @@ def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
                 raise ValueError(
                     f"an output depends on the rounding of {name} in spite of its rest"
                 )
+    _check_factors(straight, products)
     return replace(straight, held=products)
+
+
+def _check_factors(straight: StraightLineProgram, products: Sequence[str]) -> None:
+    """Raise ValueError for a compensated product with a rounded factor that has no rest.
+
+    A held product passes no rounding of its factors on.
+    """
+    made = {step.result: step for step in straight.steps}
+    known = {step.operands[2] for step in straight.steps if step.kind in (*RESTS, "sum_rest")}
+    for name in products:
+        for factor in made[name].operands:
+            if factor in made and made[str(factor)].ulps and factor not in known:
+                raise ValueError(f"{name}: the rounding of its factor {factor} has no rest")
 
 
 def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
