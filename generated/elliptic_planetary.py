@@ -69,6 +69,7 @@ from mechproof.kernel_support.error_free import (
     product_rest as _product_rest,
     quotient_rest as _quotient_rest,
     small_tangent as _small_tangent,
+    sum_rest as _sum_rest,
 )
 from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
 from mechproof.kernel_support.functions import (
@@ -327,9 +328,9 @@ def _form_of_ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
 # Expressions sha256: 13f880f4a6a21c5572bc39200def7042d9af11411e8c1ef77771dd1fd987cd2d
-# Form where e <= 0.5: half-angle atan
+# Form where e <= 12.0 / 25.0: half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent, small_arc
-# Operations: 13
+# Operations: 14
 # Form: half-angle atan with low word
 # Rewrites: positive_atan2, low_word, half_angle_tangent
 # Operations: 29
@@ -361,14 +362,14 @@ def position(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Where e <= 1/2 for all elements, half-angle atan is computed.
+    Where e <= 12/25 for all elements, half-angle atan is computed.
 
     Accuracy, tested: 5.5 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <=
     |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved of half-angle atan, where |x| <= 2**26, as long as no result overflows or falls below
-    the normal range: at most 4.34 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
-    found 3.43; at most 4.51 eps compiled, found 3.84.
+    the normal range: at most 3.94 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
+    found 3.17; at most 3.86 eps compiled, found 3.29.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and (e <= 1 -
     2**-10 or |x - 2*pi*n| >= 2**-7 for all n), as long as no result overflows or falls below
@@ -380,7 +381,7 @@ def position(
     """
     phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
-    if _holds(e <= 0.5):
+    if _holds(e <= 12.0 / 25.0):
         return _in_blocks(
             _form_1_of_position, (phi1,), _prepare_1_of_position, (R1, R2, e), out=out
         )
@@ -389,17 +390,19 @@ def position(
 
 def _prepare_1_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
+    half_k = k / 2.0
     one_minus_e = 1.0 - e
+    one_minus_e_low = _sum_rest(1.0, -e, one_minus_e)
     one_plus_e = 1.0 + e
 
-    return (e, k, one_minus_e, one_plus_e)
+    return (e, k, half_k, one_minus_e, one_minus_e_low, one_plus_e)
 
 
-def _form_1_of_position(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
-    x = k * phi1
-
+def _form_1_of_position(
+    phi1: Any, e: Any, k: Any, half_k: Any, one_minus_e: Any, one_minus_e_low: Any, one_plus_e: Any
+) -> Any:
     return (1.0 + k) * phi1 + 2.0 * _small_arctan(
-        2.0 * e * _tangent_quotient(x / 2.0, one_minus_e, one_plus_e)
+        _tangent_quotient(half_k * phi1, 2.0 * e, one_minus_e, one_minus_e_low, one_plus_e)
     )
 
 

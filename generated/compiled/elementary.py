@@ -87,8 +87,8 @@ def tan(y, _exact):
 
 # tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.232 eps
 @_scalar
-def tangent_quotient(y, a, b, _exact):
-    """Return t/(a + b*t**2), t = tan(y)."""
+def tangent_quotient(y, c, a, r, b, _exact):
+    """Return c*t/(a + r + b*t**2), t = tan(y), r being the rest of a."""
     v1 = _rint(y * 0.6366197723675814)
     v2 = _fma(
         v1,
@@ -110,13 +110,16 @@ def tangent_quotient(y, a, b, _exact):
     v7 = _rint(v6) == v6
     v8 = _choose(v7, v4, -v5)
     v9 = _choose(v7, v5, v4)
-    _value = v8 * v9 / _fma(a * v9, v9, b * v8 * v8)
+    v10 = c / a
+    _value = (
+        _fma(v10, v8, (_fma(-v10, a, c) - v10 * r) / a * v8) * v9 / _fma(v9, v9, b / a * v8 * v8)
+    )
     if _abs(y) <= _LARGEST:
         return _value
     if _exact is None:
         return _math.nan
     v1 = _math.tan(y)
-    return v1 / (a + b * v1 * v1)
+    return c * v1 / (a + (r + b * v1 * v1))
 
 
 # tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.232 eps

@@ -8,7 +8,7 @@ components are then indexed.
 Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help
 states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.
 
-Elementary functions: `elementary` 2b47f198006a.
+Elementary functions: `elementary` 2b535d4ac6f8.
 
 Generated from the derivation elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -120,11 +120,14 @@ _loops_of_ratio = _Loops(("phi1", "R1", "R2", "e"), _point_of_ratio, _fill_of_ra
 @_scalar
 def _form_1_of_position(phi1, R1, R2, e, _exact):
     k = R1 / R2
+    half_k = k / 2
     one_minus_e = 1 - e
+    one_minus_e_low = _elementary.sum_rest(1, -e, one_minus_e)
     one_plus_e = 1 + e
-    x = k * phi1
     return (1 + k) * phi1 + 2 * _elementary.small_arctan(
-        2 * e * _elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, _exact)
+        _elementary.tangent_quotient(
+            half_k * phi1, 2 * e, one_minus_e, one_minus_e_low, one_plus_e, _exact
+        )
     )
 
 
@@ -132,7 +135,7 @@ def _form_1_of_position(phi1, R1, R2, e, _exact):
 def _value_of_position(phi1, R1, R2, e, _exact):
     if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return _math.nan
-    if e <= 0.5:
+    if e <= 12 / 25:
         return _form_1_of_position(phi1, R1, R2, e, _exact)
     k = R1 / R2
     k_low = _elementary.quotient_rest(R1, R2, k)

@@ -8,7 +8,7 @@ components are then indexed.
 Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help
 states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.
 
-Elementary functions: `elementary` 2b47f198006a.
+Elementary functions: `elementary` 2b535d4ac6f8.
 
 Sums over axes are added in the order of the index, keeping the rounding error of every
 addition. Many sets of terms are added side by side, each to the same bits as alone. Inside

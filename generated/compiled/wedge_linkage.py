@@ -8,7 +8,7 @@ components are then indexed.
 Tests hold them to the same accuracy bounds. Proved bounds on rounding errors, as help
 states them, hold for these kernels where it says `compiled`, otherwise for NumPy's.
 
-Elementary functions: `elementary` 2b47f198006a.
+Elementary functions: `elementary` 2b535d4ac6f8.
 
 Generated from the derivation wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.

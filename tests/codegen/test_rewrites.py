@@ -196,7 +196,34 @@ def test_low_product_leaves_out_only_the_product_of_the_rests() -> None:
 def test_small_arc_leaves_other_arcs_alone() -> None:
     done = REWRITES["small_arc"](CASES["small_arc"])
     assert done.output.count(sp.atan) == 2
-    assert str(dict(done.steps)[y]) == "SmallArctan(a*TangentQuotient(c, 1, b))"
+    assert str(dict(done.steps)[y]) == "SmallArctan(TangentQuotient(c, a, 1, 0, b))"
+
+
+@pytest.mark.parametrize(
+    ("x_value", "y_value", "angle"),
+    [(c * b, x / 2, "b*half_c"), (c * b, x / 3, "x/3"), (a * b, x / 2, "x/2")],
+)
+def test_small_arc_halves_what_is_prepared(x_value: sp.Expr, y_value: sp.Expr, angle: str) -> None:
+    steps = [(c, a / 3), (x, x_value), (y, sp.tan(y_value)), (d, sp.atan(a * y / (1 + b * y**2)))]
+    done = REWRITES["small_arc"](arrange(frozenset({a, b}), steps, c + d))
+    assert str(dict(done.steps)[d]) == f"SmallArctan(TangentQuotient({angle}, a, 1, 0, b))"
+
+
+def test_small_arc_adds_the_rest_of_a_sum() -> None:
+    steps = [(c, 1 - a), (x, sp.tan(b)), (y, sp.atan(a * x / (c + (1 + a) * x**2)))]
+    before = arrange(frozenset({a, b}), steps, y)
+    done = REWRITES["small_arc"](before)
+    found = {str(symbol): value for symbol, value in done.steps}
+    assert str(found["c_low"]) == "SumRest(1, -a, c)"
+    assert str(found["y"]) == "SmallArctan(TangentQuotient(b, a, c, c_low, a + 1))"
+    # A larger term would not leave a rest that is a double.
+    assert sp.Le(sp.Abs(a), 1) in done.obligations
+    # The rounded c is a free symbol here, as a rest of it must make up for it.
+    opaque = arrange(frozenset({a, b, c}), [s for s in done.steps if s[0] != c], done.output)
+    exact = sp.atan(a * sp.tan(b) / (1 - a + (1 + a) * sp.tan(b) ** 2))
+    assert largest_difference(expand(opaque), exact) < TINY
+    rounded = arrange(frozenset({a, b, c}), [s for s in before.steps if s[0] != c], before.output)
+    assert largest_difference(expand(rounded), exact) > TINY
 
 
 def test_homogeneous_half_angle_keeps_its_factors() -> None:

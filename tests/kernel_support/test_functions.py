@@ -12,14 +12,17 @@ EPS = float(np.finfo(float).eps)
 Y = np.concatenate([np.linspace(-9, 9, 37), 10.0 ** np.arange(-300, 7, 17), [np.pi / 2, 3e7]])
 
 
+@pytest.mark.parametrize("r", [0.0, 1e-17, 0.125])
 @pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (0.5, 1.5), (1.5, 0.5), (1e-3, 1.0)])
-def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(a: float, b: float) -> None:
-    found = tangent_quotient(Y, np.float64(a), np.float64(b))
-    assert [tangent_quotient(float(y), a, b) for y in Y] == found.tolist()
+def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(
+    a: float, r: float, b: float
+) -> None:
+    found = tangent_quotient(Y, *map(np.float64, (0.7, a, r, b)))
+    assert [tangent_quotient(float(y), 0.7, a, r, b) for y in Y] == found.tolist()
     with mp.workdps(60):
         for y, value in zip(Y, found, strict=True):
             t = mp.tan(mp.mpf(float(y)))
-            true = t / (mp.mpf(a) + mp.mpf(b) * t**2)
+            true = mp.mpf(0.7) * t / (mp.mpf(a) + mp.mpf(r) + mp.mpf(b) * t**2)
             # Relative to itself near its zero at 0, elsewhere to the largest value 1/(2*sqrt(a*b)).
             scale = abs(true) if abs(y) < 0.1 else 1 / (2 * mp.sqrt(mp.mpf(a) * mp.mpf(b)))
             steep = 1 + mp.sqrt(max(a, b) / mp.mpf(min(a, b)))

@@ -299,7 +299,7 @@ def test_expansions_are_what_the_support_computes(kind: str, compute: Any, limit
     rng = np.random.default_rng(7)
     y = rng.uniform(-limit, limit, 5000) * 2.0 ** -rng.integers(0, 30, 5000)
     program = IN_NUMPY[kind].program
-    given = dict(zip(program.inputs, (y, np.float64(0.7), np.float64(1.3)), strict=False))
+    given = dict(zip(program.inputs, (y, *map(np.float64, (0.9, 0.7, 1e-17, 1.3))), strict=False))
     (found,) = run(program, given, IN_DOUBLES)
     assert np.array_equal(found, compute(*given.values()))
 

@@ -26,8 +26,13 @@ INVERSE, RADIUS = Symbol("1/k", positive=True), Symbol("R", positive=True)
 RADII = {R1: RADIUS, R2: INVERSE * RADIUS}
 SIZES = {**RADII, phi1: INVERSE * ANGLE_X}
 FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
+# Up to here k*phi1 needs no low word.
+MOST_PLAIN = Rational(12, 25)
 PLAIN_CHART = Chart(
-    "|x| <= 2**26", {**SIZES, e: e}, {**FREE, ANGLE_X: Interval(0, 2**26), e: UP_TO_HALF}, ANGLE_X
+    "|x| <= 2**26",
+    {**SIZES, e: e},
+    {**FREE, ANGLE_X: Interval(0, 2**26), e: Interval(0, MOST_PLAIN)},
+    ANGLE_X,
 )
 
 

@@ -11,7 +11,17 @@ from ..._algebra import EPS
 from ..._eccentric import by_half_angle, directly, on_branch
 from ..mechanics import *
 from ..rows.position import print_8, print_12
-from .charts import BY_SIZES, ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
+from .charts import (
+    BY_SIZES,
+    ECCENTRIC,
+    FAR,
+    FAR_ECCENTRIC,
+    MOST_PLAIN,
+    PEAKS,
+    PLAIN_CHART,
+    ROUNDER,
+    SMOOTH,
+)
 
 ARGUMENTS = (
     Argument("phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)),
@@ -53,10 +63,11 @@ ACCELERATION_SCALE = Scale(
 # Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
 # between -2*e/(1 + e) and 2*e/(1 - e), by the extremes of the ratio, and is steepest at whole
 # turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and at
-# most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is 2 eps, whatever
-# phi1 and R1/R2 are. The ratio and the acceleration lose some |x| times 2*e/(1 - e) eps, however
-# small the eccentricity is: they have no such threshold except e = 0.
-PLAIN_PRODUCT = e <= sp.Rational(1, 2)
+# most 1 % more just before, where the arctangent is negative. Up to e = 12/25 that is 1.85 eps,
+# whatever phi1 and R1/R2 are, which leaves room below 4 eps for the other roundings. The ratio and
+# the acceleration lose some |x| times 2*e/(1 - e) eps, however small the eccentricity is: they have
+# no such threshold except e = 0.
+PLAIN_PRODUCT = e <= MOST_PLAIN
 
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sp.sin(x / 2) ** 2
 

@@ -69,10 +69,10 @@ def sinc(a: Any) -> Any:
     return np.sin(moved) / moved
 
 
-def tangent_quotient(y: Any, a: Any, b: Any) -> Any:
-    """Return t/(a + b*t**2) for t = np.tan(y), a and b positive; a float for floats."""
+def tangent_quotient(y: Any, c: Any, a: Any, r: Any, b: Any) -> Any:
+    """Return c*t/(a + r + b*t**2) for t = np.tan(y), r being the rest of a; a float for floats."""
     t = float(np.tan(y)) if type(y) is float else np.tan(y)
-    return t / (a + b * (t * t))
+    return c * t / (a + (r + b * (t * t)))
 
 
 def small_arctan(y: Any) -> Any:

@@ -135,7 +135,7 @@ def _enclose(kind: str, single: bool, *values: Any) -> Any:
     if not loss:
         return exact
     if kind == "tangent_quotient":
-        return np.frompyfunc(lambda q, y, a, b: _spread_quotient(q, a, b, loss), 4, 1)(
+        return np.frompyfunc(lambda q, y, c, a, r, b: _spread_quotient(q, c, a, b, loss), 6, 1)(
             exact, *values
         )
     return np.frompyfunc(lambda ball: _spread(ball, loss), 1, 1)(exact)
@@ -156,9 +156,9 @@ def _spread(ball: arb, relative: float) -> arb:
     )
 
 
-def _spread_quotient(quotient: arb, a: arb, b: arb, relative: float) -> arb:
-    """Widen a quotient by a share of the largest t/(a + b*t**2), as the support code states it."""
-    largest = float((1 / (2 * (a * b).sqrt())).upper()) * float(
+def _spread_quotient(quotient: arb, c: arb, a: arb, b: arb, relative: float) -> arb:
+    """Widen a quotient by a share of the largest c*t/(a + b*t**2), as its description states it."""
+    largest = float((c / (2 * (a * b).sqrt())).upper()) * float(
         (1 + (b / a).max(a / b).sqrt()).upper()
     )
     return quotient + arb(0, largest * relative) if quotient.is_finite() else arb(0, largest)

@@ -141,9 +141,9 @@ def _keep(on: Arithmetic, a: Any) -> Any:
     return a
 
 
-def _tangent_quotient(on: Arithmetic, y: Any, a: Any, b: Any) -> Any:
+def _tangent_quotient(on: Arithmetic, y: Any, c: Any, a: Any, r: Any, b: Any) -> Any:
     t = on.tan(y)
-    return t / (a + b * on.square(t))
+    return c * t / (a + (r + b * on.square(t)))
 
 
 def _take_multiple_off(on: Arithmetic, a: Any, b: Any) -> Any:

@@ -76,7 +76,7 @@ def _write_out(kind: str, *inputs: str) -> Expansion:
 WAY = "NumPy's functions"
 IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
     {
-        "tangent_quotient": _write_out("tangent_quotient", "y", "a", "b"),
+        "tangent_quotient": _write_out("tangent_quotient", *"ycarb"),
         "small_arctan": _write_out("small_arctan", "y"),
     }
 )

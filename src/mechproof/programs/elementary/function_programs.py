@@ -71,9 +71,9 @@ def _body(far: Body | None = None) -> Callable[[Body], Body]:
     return register
 
 
-def _far_quotient(y: Value, a: Value, b: Value) -> Value:
+def _far_quotient(y: Value, c: Value, a: Value, r: Value, b: Value) -> Value:
     t = y.apply("tan", y)
-    return t / (a + b * t * t)
+    return c * t / (a + (r + b * t * t))
 
 
 def _far(kind: str) -> Body:
@@ -128,10 +128,14 @@ class _Maker:
         return above / below
 
     @_body(_far_quotient)
-    def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
-        """Return t/(a + b*t**2), t = tan(y)."""
+    def tangent_quotient(self, y: Value, c: Value, a: Value, r: Value, b: Value) -> Value:
+        """Return c*t/(a + r + b*t**2), t = tan(y), r being the rest of a."""
         above, below = self.tangent_parts(y)
-        return above * below / multiply_add(a * below, below, b * above * above)
+        # c/(a + r) in two words, which a loop computes once: the denominator has a product less.
+        high = c / a
+        low = (fma(-high, a, c) - high * r) / a
+        rise = multiply_add(high, above, low * above) * below
+        return rise / multiply_add(below, below, b / a * above * above)
 
     @_body(_far("tan"))
     def tangent_above(self, y: Value) -> Value:

@@ -186,12 +186,15 @@ def _to_tangent(
 
 
 def small_arc(evaluation: Evaluation) -> Evaluation:
-    """Rewrite atan(c*t/(a + b*t**2)) -> SmallArctan(c*TangentQuotient(y, a, b)) for t = tan y.
+    """Rewrite atan(c*t/(a + b*t**2)) -> SmallArctan(TangentQuotient(y, c, a, r, b)), t = tan y.
 
-    Legal for a, b > 0 and c**2 <= 4*a*b/3: the argument of atan stays within +-1/sqrt(3),
-    as a + b*t**2 >= 2*sqrt(a*b)*|t|.
+    A step a that adds a term to a number has the rest r of its rounding, others 0: it is added
+    where the denominator is rounded anyway. Legal for a, b > 0 and c**2 <= 4*a*b/3: the argument
+    of atan stays within +-1/sqrt(3), as a + b*t**2 >= 2*sqrt(a*b)*|t|.
     """
+    values = dict(evaluation.steps)
     tangents = {s: v.args[0] for s, v in evaluation.steps if isinstance(v, sp.tan)}
+    steps: list[Step] = []
     legal: list[sp.Basic] = []
 
     def convert(argument: sp.Expr) -> sp.Expr:
@@ -200,10 +203,28 @@ def small_arc(evaluation: Evaluation) -> Evaluation:
             c, (a, none, b) = above / t, (below.coeff(t, power) for power in range(3))
             if not none and not c.has(t) and sp.expand(a + b * t**2 - below) == 0:
                 legal.extend([a > 0, b > 0, sp.Le(c**2, 4 * a * b / 3)])
-                return SmallArctan(c * TangentQuotient(y, a, b))
+                number, term = values.get(a, a).as_coeff_Add()
+                rest: sp.Expr = sp.S.Zero
+                if number and term:
+                    legal.append(sp.Le(sp.Abs(term), abs(number)))
+                    rest = evaluation.add_step(f"{a}_low", SumRest(number, term, a), steps)
+                angle = _halve_factor(y, values, evaluation, steps)
+                return SmallArctan(TangentQuotient(angle, c, a, rest, b))
         return sp.atan(argument)
 
-    return evaluation.transform(lambda e: e.replace(sp.atan, convert)).oblige(legal)
+    return evaluation.transform(lambda e: e.replace(sp.atan, convert), steps).oblige(legal)
+
+
+def _halve_factor(
+    angle: sp.Expr, values: Mapping[sp.Symbol, sp.Expr], evaluation: Evaluation, steps: list[Step]
+) -> sp.Expr:
+    """Return x/2 as (k/2)*a where x is a step k*a and k another: k/2 may serve for many a."""
+    number, x = angle.as_coeff_Mul()
+    known = [factor for factor in sp.Mul.make_args(values.get(x, x)) if factor in values]
+    if number != sp.S.Half or len(known) != 1:
+        return angle
+    half = evaluation.add_step(f"half_{known[0]}", known[0] / 2, steps)
+    return half * (values[x] / known[0])
 
 
 def cosine_minus_one(evaluation: Evaluation) -> Evaluation:
