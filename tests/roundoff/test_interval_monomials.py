@@ -124,6 +124,24 @@ def test_an_angle_on_the_ray_of_half_a_turn_is_not_known() -> None:
     assert not np.any(angle.expanded().is_finite)
 
 
+def test_a_factor_of_both_sides_does_not_turn_a_point() -> None:
+    """atan2(d*v, d*w) is atan(v/w) for d > 0 and w > 0, however small d is."""
+    for is_positive, ahead in ((True, 0.5), (True, -0.5), (False, 0.5)):
+        d = side_between(0.0 if is_positive else -0.1, 0.1)
+        variables = BoxVariables([d, side_between(0.2, 0.201)], [is_positive, True])
+        factor = variables.variable(0)
+        y, x = factor * variables.variable(1), factor.scaled(exactly(ahead))
+        angle, find_slopes = RULES["arctan2"](None, y, x)
+        assert np.all(angle.expanded().is_finite) == (is_positive and ahead > 0)
+        if is_positive and ahead > 0:
+            assert holds(angle, math.atan2(0.2005, 0.5))
+            square = 0.2005**2 + 0.5**2
+            for slope, value in zip(find_slopes(), (0.5 / square, -0.2005 / square), strict=True):
+                assert slope is not None
+                assert holds(slope * factor, value)
+                assert reach_of((slope * factor).expanded()) < 0.02
+
+
 def test_extremes_hold_every_value_and_no_end_too_many() -> None:
     """The larger of 4/x, which has no finite interval, and a number keeps the factor 1/x."""
     variables = BoxVariables([side_between(0.0, 0.5)], [True])

@@ -23,7 +23,7 @@ from mechproof.arithmetic.interval_functions import (
     sine,
     tangent,
 )
-from mechproof.arithmetic.intervals import ONE, PI, Ends, Interval, around, exactly
+from mechproof.arithmetic.intervals import ONE, PI, Ends, Interval, Mask, around, exactly
 from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 
 # Size of an angle, in radians, above which its tangent is computed by the cotangent, which vanishes
@@ -156,11 +156,16 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
     return take_odd(monomial, arb.atan, arctangent, math.inf)
 
 
+def are_right(x: IntervalMonomial) -> Mask:
+    """Return where a point is right of the origin, or is the origin, where it has no angle."""
+    is_positive = x.variables.is_positive(x.powers)
+    return (x.span if is_positive else x.expanded()).low > 0
+
+
 def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:
     """Return the angle of a point; not finite where it may be half a turn or undefined."""
-    above, ahead = y.expanded(), x.expanded()
-    masks = (ahead.low > 0, above.low > 0, above.high < 0)
-    right, up, down = masks[0], masks[1] & ~masks[0], masks[2] & ~masks[0]
+    above, right = y.expanded(), are_right(x)
+    up, down = (above.low > 0) & ~right, (above.high < 0) & ~right
     choice = x.variables.choose(right, up, down, ~(right | up | down))
     if choice == 0:
         return take_arctangent(y / x)

@@ -24,6 +24,7 @@ from mechproof.arithmetic.intervals import (
 )
 from mechproof.roundoff.angles import (
     Turn,
+    are_right,
     take_angle,
     take_arctangent,
     take_cosine,
@@ -136,6 +137,12 @@ def _tan(turn: Turn | None, a: IntervalMonomial) -> Moved:
 
 def _arctan2(turn: Turn | None, y: IntervalMonomial, x: IntervalMonomial) -> Moved:
     def find_slopes() -> Slopes:
+        right = are_right(x)
+        if x.variables.choose(right, ~right) == 0:
+            # By the quotient, which keeps factors that both sides have.
+            quotient = y / x
+            slope = _one(x) / (x * (_one(x) + quotient.power(2)))
+            return slope, -(quotient * slope)
         square = x.power(2) + y.power(2)
         return x / square, -(y / square)
 
