@@ -73,6 +73,7 @@ from mechproof.kernel_support.error_free import (
 )
 from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
 from mechproof.kernel_support.functions import (
+    arctan_quotient as _arctan_quotient,
     choose_where as _choose_where,
     small_arctan as _small_arctan,
     square as _square,
@@ -332,8 +333,8 @@ def _form_of_ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: 
 # Rewrites: positive_atan2, half_angle_tangent, small_arc
 # Operations: 14
 # Form: half-angle atan with low word
-# Rewrites: positive_atan2, low_word, half_angle_tangent
-# Operations: 29
+# Rewrites: positive_atan2, low_word, low_sum, half_angle_tangent, quotient_arc
+# Operations: 28
 def position(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
@@ -373,8 +374,8 @@ def position(
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and (e <= 1 -
     2**-10 or |x - 2*pi*n| >= 2**-7 for all n), as long as no result overflows or falls below
-    the normal range: at most 4.64 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
-    found 3.06; at most 5.5 eps compiled, found 4.18.
+    the normal range: at most 4.03 eps with np.arctan2 within 1 ulp and np.tan within 1 ulp,
+    found 2.87; at most 5.27 eps compiled, found 4.26.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
@@ -419,18 +420,21 @@ def _form_of_position(
     phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any
 ) -> Any:
     x = k * phi1
-    t = _np.tan(x / 2.0)
     x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    phi1_plus_x_low = phi1 + x_low
+    t = _np.tan(x / 2.0)
     t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
 
-    return (1.0 + k) * phi1 + 2.0 * _np.arctan(
-        2.0
-        * e
-        / (one_minus_e * _square(adjacent) + one_plus_e * _square(opposite))
-        * adjacent
-        * opposite
+    return (
+        phi1_plus_x_low
+        + x
+        + 2.0
+        * _arctan_quotient(
+            2.0 * e * adjacent * opposite,
+            one_minus_e * _square(adjacent) + one_plus_e * _square(opposite),
+        )
     )
 
 
@@ -822,7 +826,7 @@ def angle_of_smallest_acceleration(
     Accuracy, tested: 7 eps of the value, where 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Proved, as long as no result overflows or falls below the normal range: at most 4.5 eps with
-    np.arctan2 within 1 ulp, found 3.09; at most 5.47 eps compiled, found 3.46.
+    np.arctan2 within 1 ulp, found 3.28; at most 5.47 eps compiled, found 3.46.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 
@@ -1034,8 +1038,8 @@ def angle_of_largest_jerk(
     <= R1 and 1e-300 <= R2 and R1 <= 1e75*R2.
 
     Proved, where e <= 101/1000 or e >= 102/1000, as long as no result overflows or falls below
-    the normal range: at most 3.5 eps with np.arctan2 within 1 ulp, found 2.39; at most 4.03 eps
-    compiled, found 2.35.
+    the normal range: at most 3.49 eps with np.arctan2 within 1 ulp, found 2.39; at most 4.01
+    eps compiled, found 2.35.
 
     Source: extremes of the derivatives of Prikhodko et al. 2024, equation (8).
 

@@ -142,15 +142,21 @@ def _value_of_position(phi1, R1, R2, e, _exact):
     one_minus_e = 1 - e
     one_plus_e = 1 + e
     x = k * phi1
+    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
+    phi1_plus_x_low = phi1 + x_low
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
     t = _elementary.tangent_above(t_angle, _exact)
-    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
     t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     opposite = t + t_low * t_below
-    return (1 + k) * phi1 + 2 * _elementary.arctan_quotient(
-        2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
+    return (
+        phi1_plus_x_low
+        + x
+        + 2
+        * _elementary.arctan_quotient(
+            2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
+        )
     )
 
 

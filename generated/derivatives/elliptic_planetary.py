@@ -151,7 +151,7 @@ def _form_of_ratio(
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
 # Expressions sha256: 0e047ab03020c28c972c7b2b4197867c0d21ee41bc82f95f186ef7e4da9e5107
 # Form: backward pass
-# Rewrites: positive_atan2, low_word, half_angle_tangent
+# Rewrites: positive_atan2, low_word, low_sum, half_angle_tangent, quotient_arc
 # Operations: 49
 def position(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None

@@ -27,7 +27,7 @@ from mechproof.programs.scalar import list_scalars
         [
             ("k_low * phi1 + _elementary.product_rest", "_elementary.product_rest"),
             ("t + t_low * t_below", "t - t_low * t_below"),
-            ("if e <= 0.5:", "if e < 0.5:"),
+            ("if e <= 12 / 25:", "if e < 12 / 25:"),
             ("& (e < 1) & (R2 < R1)", "& (e < 1)"),
         ]
     ),

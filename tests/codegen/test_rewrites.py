@@ -13,6 +13,7 @@ from mechproof.programs.evaluation import Evaluation, arrange, entries, map_entr
 from mechproof.programs.lowering import FUNCTIONS
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.rewrites import REWRITES, apply_rewrites
+from mechproof.programs.rounding_functions import ArctanQuotient, ProductRest
 from mechproof.programs.step_names import share_subexpressions, suggest_name
 
 # Functions that exist only for the way they round.
@@ -72,6 +73,11 @@ def instance(expression: sp.Expr) -> sp.Expr:
 
 CASES = {
     "low_word": arrange(frozenset({a, b}), [(x, a * b)], sp.sin(x) + sp.cos(2 * x)),
+    "low_sum": arrange(
+        frozenset({a, b}),
+        [(x, a * b), (y, ProductRest(a, b, x))],
+        b * (2 + a) + sp.sin(x + y),
+    ),
     "low_product": arrange(
         frozenset({a, b, c}), [(x, (1 - a) * (2 + 3 * b)), (y, (1 - a) * c)], x + y
     ),
@@ -82,6 +88,7 @@ CASES = {
         [(x, sp.tan(c)), (y, sp.atan(a * x / (1 + b * x**2)))],
         y + sp.atan(a * x / (1 + b * x + x**2)) + sp.atan(a),
     ),
+    "quotient_arc": sp.atan(a / (1 + b * c)) + sp.atan(a) + sp.atan(a / 3),
     "cosine_minus_one": a * (sp.cos(x) * sp.cos(y) - 1) + sp.cos(x) * sp.sin(y),
     "hypotenuse": sp.sqrt(a**2 + b**2 + c**2) + sp.sqrt(x**2 + y**2) + sp.sqrt(a + b**2),
     "conjugate_root": a * sp.cos(x) + sp.sqrt(b**2 - a**2 * sp.sin(x) ** 2),
@@ -179,6 +186,25 @@ def test_low_word_of_a_doubled_product() -> None:
     assert largest_difference(expand(opaque), sp.sin(2 * a * b)) < TINY
 
 
+@pytest.mark.parametrize("rewrites", [("low_sum",), ("low_word",), ("low_word", "low_sum")])
+def test_low_sum_is_exact_whatever_the_product_is_rounded_to(rewrites: tuple[str, ...]) -> None:
+    """(2 + k)*c + sin x, x = k*c, k = a/b; without both rewrites it depends on the roundings."""
+    k = sp.Symbol("k", real=True)
+    started = arrange(frozenset({a, b, c}), [(k, a / b), (x, k * c)], (2 + k) * c + sp.sin(x))
+    done = apply_rewrites(started, rewrites)
+    steps = [step for step in done.steps if step[0] not in (k, x)]
+    opaque = arrange(done.inputs | {k, x}, steps, done.output)
+    off = largest_difference(expand(opaque), (2 + a / b) * c + sp.sin(a / b * c))
+    assert (off < TINY) == (len(rewrites) == 2)
+
+
+def test_low_sum_leaves_other_products_alone() -> None:
+    started = CASES["low_sum"]
+    for output in (b * (2 + c), c * (2 + a), b * (2 - a), a * b):
+        other = arrange(started.inputs | {c}, started.steps, output + y)
+        assert REWRITES["low_sum"](other) == other
+
+
 def test_low_product_leaves_out_only_the_product_of_the_rests() -> None:
     done = REWRITES["low_product"](CASES["low_product"])
     named = {str(symbol): symbol for symbol, _ in done.steps}
@@ -224,6 +250,27 @@ def test_small_arc_adds_the_rest_of_a_sum() -> None:
     assert largest_difference(expand(opaque), exact) < TINY
     rounded = arrange(frozenset({a, b, c}), [s for s in before.steps if s[0] != c], before.output)
     assert largest_difference(expand(rounded), exact) > TINY
+
+
+def test_quotient_arc_leaves_other_arcs_alone() -> None:
+    done = REWRITES["quotient_arc"](start(CASES["quotient_arc"]))
+    assert done.output.count(sp.atan) == 2
+    assert done.output.has(ArctanQuotient(a, 1 + b * c))
+
+
+def test_the_sides_of_a_tangent_do_not_vanish_together() -> None:
+    done = angle_with_low_word(x, ("low_word", "half_angle_tangent"))
+    p, q = (s for name in ("opposite", "adjacent") for s, _ in done.steps if str(s) == name)
+    for below, relations in (
+        (a * q**2 + (2 + b) * p**2, ["b + 2 > 0", "a > 0"]),
+        (q**2 + b * p**2, ["b > 0"]),
+    ):
+        arc = arrange(done.inputs, done.steps, sp.atan(p * q / below))
+        assert [str(r) for r in REWRITES["quotient_arc"](arc).obligations] == relations
+    for below in (a * q**2 + p, a * q**2 + b, p**2 - q, 1 + p * q):
+        arc = arrange(done.inputs, done.steps, sp.atan(a / below))
+        (relation,) = REWRITES["quotient_arc"](arc).obligations
+        assert relation == (below.xreplace(arc.step_values()) > 0)
 
 
 def test_homogeneous_half_angle_keeps_its_factors() -> None:
@@ -274,6 +321,7 @@ OBLIGATIONS = {
     "positive_atan2": "2 - a*cos(x) > 0",
     "low_product": "Abs(a) <= 1",
     "small_arc": "a**2 <= 4*b/3",
+    "quotient_arc": "b*c + 1 > 0",
     "difference_of_functions": "a*(a + 1) + 1 > 0",
     "conjugate_root": "-a**2 + b**2 >= 0",
 }
@@ -284,7 +332,7 @@ def test_a_rewrite_that_is_not_always_legal_obliges_the_prover(name: str) -> Non
     before = CASES[name] if isinstance(CASES[name], Evaluation) else start(CASES[name])
     relations = {str(sp.simplify(r)) for r in REWRITES[name](before).obligations}
     expected = str(
-        sp.simplify(sp.sympify(OBLIGATIONS[name], locals={str(s): s for s in (a, b, x)}))
+        sp.simplify(sp.sympify(OBLIGATIONS[name], locals={str(s): s for s in (a, b, c, x)}))
     )
     assert expected in relations
 

@@ -89,15 +89,15 @@ def test_the_whole_range_of_doubles(name: str, e: float) -> None:
 
 
 def test_what_the_plain_product_costs() -> None:
-    """About half the bound of `position`, in eps of the value, where e <= 1/2, whatever R1/R2."""
-    e = np.linspace(0, 0.5, 26)[:, np.newaxis]
+    """About half the bound of `position`, in eps of the value, where e <= 12/25, whatever R1/R2."""
+    e = np.linspace(0, 0.48, 25)[:, np.newaxis]
     x = np.linspace(1e-6, 40 * np.pi, 20_001)
     turn = x + 2 * np.arctan2(e * np.sin(x), 1 - e * np.cos(x))
     slope = (1 - e**2) / (1 + e**2 - 2 * e * np.cos(x)) - 1
     # A finite R1/R2 adds phi1 to the value and lowers the cost.
     cost = (np.abs(x * slope) / turn).max(axis=1)
     assert (cost <= 1.01 * 2 * e[:, 0] / (1 - e[:, 0]) + 1e-300).all()
-    assert cost.max() > 1.99
+    assert cost.max() > 1.84
 
 
 def test_the_low_word_is_paid_for_only_above_its_threshold(
@@ -107,8 +107,8 @@ def test_the_low_word_is_paid_for_only_above_its_threshold(
         raise AssertionError("low word asked for")
 
     monkeypatch.setattr(elliptic_planetary, "_product_rest", refuse)
-    assert elliptic_planetary.position(spread(2), *RADII, [0.0, 0.5]).shape == (2,)
-    for e in (np.nextafter(0.5, 1), [0.1, 0.9]):
+    assert elliptic_planetary.position(spread(2), *RADII, [0.0, 0.48]).shape == (2,)
+    for e in (np.nextafter(0.48, 1), [0.1, 0.9]):
         with pytest.raises(AssertionError, match="low word asked for"):
             elliptic_planetary.position(spread(2), *RADII, e)
 

@@ -14,7 +14,11 @@ from derived import paper_of
 from weights import first_of
 
 from mechproof.arithmetic.cover import WHOLE
-from mechproof.kernel_support.functions import small_arctan, tangent_quotient
+from mechproof.kernel_support.functions import (
+    arctan_quotient,
+    small_arctan,
+    tangent_quotient,
+)
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.record import Paper
 from mechproof.roundoff import computed_stages
@@ -42,10 +46,10 @@ from mechproof.roundoff.written_scales import WrittenScale
 pytestmark = pytest.mark.xdist_group(GROUP)
 # Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
 WORST = {
-    "phi1": "0x1.069cd9835caf7p-19",
-    "R1": "0x1.0ab60efb14d87p+6",
-    "R2": "0x1.09e8c89517fa5p-2",
-    "e": "0x1.fb8a5611f0d09p-2",
+    "phi1": "0x1.fdd93da54f7fep+1",
+    "R1": "0x1.1841b23f7e120p+15",
+    "R2": "0x1.155351948ecc5p+7",
+    "e": "0x1.eb7b42cff731ap-2",
 }
 
 
@@ -80,7 +84,7 @@ def test_random_inputs_are_off_by_no_more_than_is_proved(claim: RoundingClaim) -
 def test_the_known_worst_is_below_the_bound() -> None:
     claim, subject = compiled()
     points = {name: np.array([float.fromhex(text)]) for name, text in WORST.items()}
-    assert 3.5 < measure(subject, points)[0] <= claim.proved
+    assert 3.2 < measure(subject, points)[0] <= claim.proved
 
 
 def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
@@ -249,12 +253,17 @@ def test_a_wrong_number_is_refused_even_under_its_own_hash() -> None:
 
 
 def test_every_rounding_counts() -> None:
-    """Leaving out any one rounding of a program lowers its bound."""
+    """Leaving out any one rounding of a program lowers its bound.
+
+    That of a product with a rest is one of eps**2, which doubles do not tell from nothing.
+    """
     _, subject = compiled()
     region = next(list_regions(subject.form.charts[0]))
     boxes = np.array([[(0.3, 0.31) if math.isfinite(side[1]) else side for side in region.box]])
     whole = subject.bound(region, boxes)
-    rounded = [i for i, step in enumerate(subject.straight.steps) if step.ulps]
+    tiny = [s for s in subject.straight.steps if "prepared.one_minus_e_low" in s.operands]
+    assert [step.kind for step in tiny] == ["multiply"]
+    rounded = [i for i, step in enumerate(subject.straight.steps) if step.ulps and step not in tiny]
     assert len(rounded) > 15
     for i in rounded:
         steps = list(subject.straight.steps)
@@ -293,7 +302,11 @@ def test_no_part_of_a_box_has_a_larger_bound(claim: RoundingClaim) -> None:
 
 @pytest.mark.parametrize(
     ("kind", "compute", "limit"),
-    [("tangent_quotient", tangent_quotient, 1e5), ("small_arctan", small_arctan, 0.57)],
+    [
+        ("tangent_quotient", tangent_quotient, 1e5),
+        ("small_arctan", small_arctan, 0.57),
+        ("arctan_quotient", arctan_quotient, 1e5),
+    ],
 )
 def test_expansions_are_what_the_support_computes(kind: str, compute: Any, limit: float) -> None:
     rng = np.random.default_rng(7)
@@ -302,6 +315,14 @@ def test_expansions_are_what_the_support_computes(kind: str, compute: Any, limit
     given = dict(zip(program.inputs, (y, *map(np.float64, (0.9, 0.7, 1e-17, 1.3))), strict=False))
     (found,) = run(program, given, IN_DOUBLES)
     assert np.array_equal(found, compute(*given.values()))
+
+
+@pytest.mark.parametrize("system", ["elliptic_planetary", "track_wheel"])
+def test_bounds_are_near_the_worst_that_is_found(system: str) -> None:
+    near = {"ratio", "acceleration", "displacement"}
+    told = [claim for claim in certificate(system).claims if claim.quantity in near]
+    assert len(told) == (4 if system == "elliptic_planetary" else 2)
+    assert all(claim.proved <= 1.5 * claim.found for claim in told)
 
 
 def test_certificates_are_what_the_derivations_say() -> None:

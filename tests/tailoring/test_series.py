@@ -16,7 +16,7 @@ X, K = sp.symbols("x k", real=True)
 TERMS = 5
 # Functions that occur in programs only.
 INNER = {"ProductRest", "QuotientRest", "SumRest", "SmallTangent", "SmallArctan"}
-INNER |= {"TangentQuotient", "Single", "WholeTurnsOff", "hypot"}
+INNER |= {"TangentQuotient", "ArctanQuotient", "Single", "WholeTurnsOff", "hypot"}
 SMOOTH = [
     *(f(X) for f in (sp.sin, sp.cos, sp.tan, sp.asin, sp.acos, sp.atan, sp.exp, sp.log, sp.cbrt)),
     *(f(X) for f in (sp.sec, sp.csc, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)),

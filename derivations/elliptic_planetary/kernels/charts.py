@@ -62,9 +62,7 @@ PEAKS = (
     far(-Z, 1 - Z * W, FAR_FROM_PEAK),
 )
 ANY_REST = Interval(-Rational(22, 7), Rational(22, 7))
-FAR, FAR_ECCENTRIC = (
-    far(Z, e, {Z: ANY_REST, e: Interval(start, Rational(5, 8))}) for start in (0, Rational(1, 2))
-)
+FAR = far(Z, e, {Z: ANY_REST, e: Interval(0, Rational(5, 8))})
 
 # The acceleration vanishes with x, e, d and pi - x.
 SMOOTH = tuple(chart(OFF_PI, *place) for place in (*below_pi(e), *next_to_pi(e)))

@@ -15,7 +15,6 @@ from .charts import (
     BY_SIZES,
     ECCENTRIC,
     FAR,
-    FAR_ECCENTRIC,
     MOST_PLAIN,
     PEAKS,
     PLAIN_CHART,
@@ -190,8 +189,8 @@ QUANTITIES = (
             Form(
                 "half-angle atan with low word",
                 position_closed,
-                ("positive_atan2", "low_word", "half_angle_tangent"),
-                charts=(*ECCENTRIC, *PEAKS, FAR_ECCENTRIC),
+                ("positive_atan2", "low_word", "low_sum", "half_angle_tangent", "quotient_arc"),
+                charts=(*ECCENTRIC, ROUNDER, *PEAKS, FAR),
             ),
             Form(
                 "printed (12)",

@@ -80,6 +80,11 @@ def small_arctan(y: Any) -> Any:
     return float(np.arctan(y)) if type(y) is float else np.arctan(y)
 
 
+def arctan_quotient(a: Any, b: Any) -> Any:
+    """Return np.arctan2(a, b), which is arctan(a/b) for b positive; a float for floats."""
+    return float(np.arctan2(a, b)) if type(a) is type(b) is float else np.arctan2(a, b)
+
+
 def hypot(a: Any, b: Any) -> Any:
     """Return np.hypot(a, b), but NaN where one is NaN and the other infinite."""
     found = np.hypot(a, b)

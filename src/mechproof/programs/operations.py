@@ -330,7 +330,8 @@ _ROWS = (
     # Two values whose quotient is a tangent; a common factor does not matter.
     Kind("tangent_above", LIBRARY, None, lambda on, y: on.sin(y)),
     Kind("tangent_below", LIBRARY, None, lambda on, y: on.cos(y)),
-    Kind("arctan_quotient", LIBRARY, None, lambda on, a, b: on.arctan(a / b)),
+    Kind("arctan_quotient", LIBRARY, None, lambda on, a, b: on.arctan(a / b),
+         Support("functions", "arctan_quotient"), head="ArctanQuotient"),
     Kind("single", NEAREST, None, _keep, Support("error_free", "single"), head="Single"),
     Kind("whole_turns_off", LIBRARY, None, _keep,
          Support("error_free", "whole_turns_off"), head="WholeTurnsOff"),

@@ -60,6 +60,12 @@ class SmallArctan(sp.Function):  # type: ignore[misc]
     nargs = 1
 
 
+class ArctanQuotient(sp.Function):  # type: ignore[misc]
+    """ArctanQuotient(a, b) = atan(a/b), for b > 0; the quotient is not rounded."""
+
+    nargs = 2
+
+
 class Single(sp.Function):  # type: ignore[misc]
     """Single(a) = a, rounded to float32; results computed from it are float32 too."""
 

@@ -72,12 +72,18 @@ def _write_out(kind: str, *inputs: str) -> Expansion:
     return Expansion(trace(partial(meaning, TRACED), inputs))
 
 
-# Kinds that NumPy kernels compute by NumPy's tan and arctan; a test compares every bit.
+def _call(kind: str, *inputs: str) -> Expansion:
+    """Return the expansion of a kind into a single other one."""
+    return Expansion(Program(inputs, (Operation("q", kind, inputs),), ("q",)))
+
+
+# Kinds that NumPy kernels compute by NumPy's tan, arctan and arctan2; a test compares every bit.
 WAY = "NumPy's functions"
 IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
     {
         "tangent_quotient": _write_out("tangent_quotient", *"ycarb"),
         "small_arctan": _write_out("small_arctan", "y"),
+        "arctan_quotient": _call("arctan2", "a", "b"),
     }
 )
 

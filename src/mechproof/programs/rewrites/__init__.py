@@ -31,8 +31,10 @@ from mechproof.programs.rewrites.half_angle import (
     cosine_minus_one,
     half_angle_tangent,
     low_product,
+    low_sum,
     low_word,
     positive_atan2,
+    quotient_arc,
     small_arc,
 )
 from mechproof.programs.rewrites.taylor import taylor
@@ -49,9 +51,11 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
             positive_atan2,
             difference_of_functions,
             low_word,
+            low_sum,
             low_product,
             half_angle_tangent,
             small_arc,
+            quotient_arc,
             cosine_minus_one,
             hypotenuse,
             conjugate_root,

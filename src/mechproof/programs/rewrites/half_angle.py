@@ -10,6 +10,7 @@ rest that is a double, and the sum of the rests is added before the last roundin
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from functools import partial
 from operator import methodcaller
@@ -20,6 +21,7 @@ from mechproof.arithmetic.polynomials import cancel
 from mechproof.programs.evaluation import Evaluation, Step, map_entries
 from mechproof.programs.rewrites.factored_sums import Factors, is_negative_sum
 from mechproof.programs.rounding_functions import (
+    ArctanQuotient,
     ProductRest,
     QuotientRest,
     SmallArctan,
@@ -50,6 +52,31 @@ def low_word(evaluation: Evaluation) -> Evaluation:
         return node.func(factor * x + factor * low[x])
 
     return evaluation.convert_parts(lambda n: isinstance(n, sp.sin | sp.cos), add_low, steps)
+
+
+def low_sum(evaluation: Evaluation) -> Evaluation:
+    """Rewrite (c + a)*b -> (b*c + x_low) + x for a step x = a*b with a low word.
+
+    Neither the rounding of a nor that of x counts then. Always legal: x + x_low is the product.
+    """
+    steps: list[Step] = []
+    words = {
+        frozenset(rest.args[:2]): (rest.args[2], symbol)
+        for symbol, value in evaluation.steps
+        for rest in value.atoms(ProductRest)
+        if rest.args[2].is_Symbol
+    }
+
+    def convert(node: sp.Expr) -> sp.Expr:
+        for a, b in node.args, reversed(node.args):
+            for term in a.args if a.is_Add else ():
+                if word := words.get(frozenset({term, b})):
+                    x, low = word
+                    rest = b * (a - term) + low
+                    return x + evaluation.add_step(suggest_name(rest, "rest"), rest, steps)
+        return node
+
+    return evaluation.convert_parts(lambda n: n.is_Mul and len(n.args) == 2, convert, steps)
 
 
 def low_part(angle: sp.Expr, evaluation: Evaluation) -> sp.Expr:
@@ -225,6 +252,37 @@ def _halve_factor(
         return angle
     half = evaluation.add_step(f"half_{known[0]}", known[0] / 2, steps)
     return half * (values[x] / known[0])
+
+
+def quotient_arc(evaluation: Evaluation) -> Evaluation:
+    """Rewrite atan(a/b) -> ArctanQuotient(a, b); legal where b > 0."""
+    legal: list[sp.Basic] = []
+
+    def convert(argument: sp.Expr) -> sp.Expr:
+        above, below = sp.fraction(argument)
+        if below.is_number:
+            return sp.atan(argument)
+        legal.extend(_state_positive(below, evaluation))
+        return ArctanQuotient(above, below)
+
+    return evaluation.transform(lambda e: e.replace(sp.atan, convert)).oblige(legal)
+
+
+def _state_positive(total: sp.Expr, evaluation: Evaluation) -> list[sp.Basic]:
+    """List relations that make a sum positive; for squared sides of a tangent, its coefficients.
+
+    The sides t + u and 1 - t*u do not vanish together: the squares add up to (1 + t**2)(1 + u**2).
+    """
+    named = {value: symbol for symbol, value in evaluation.steps}
+    lows = [symbol for symbol, value in evaluation.steps if isinstance(value, SmallTangent)]
+    tangents = [symbol for symbol, value in evaluation.steps if isinstance(value, sp.tan)]
+    for t, u in itertools.product(tangents, lows):
+        sides = [named[value] for value in (t + u, 1 - t * u) if value in named]
+        shares = [total.coeff(side, 2) for side in sides]
+        squares = sp.Add(*(c * side**2 for c, side in zip(shares, sides, strict=True)))
+        if len(sides) == 2 and sp.expand(total - squares) == 0:
+            return [share > 0 for share in shares]
+    return [total > 0]
 
 
 def cosine_minus_one(evaluation: Evaluation) -> Evaluation:
