@@ -191,9 +191,9 @@ def draw_small(rng: np.random.Generator, reach: float, decades: float) -> Array:
 @pytest.mark.parametrize(
     ("key", "text", "lowest"),
     [
-        (("position", "half-angle atan with low word"), HALF, 0.5),
+        (("position", "half-angle atan with low word"), HALF, 0.0),
         (("ratio", "half-angle quotient with low word"), HALF, 0.0),
-        (("position", "half-angle atan with low word"), FAR, 0.5),
+        (("position", "half-angle atan with low word"), FAR, 0.0),
         (("ratio", "half-angle quotient with low word"), FAR, 0.0),
         (("acceleration", "half-angle quotient with low word"), OFF, 0.0),
     ],

@@ -199,10 +199,22 @@ Ltac angles_as c :=
     | _ : context [cos ?u] |- _ => other u; replace (cos u) with (cos c) in * by same
     end.
 
+(* One arctangent in place of another, where their arguments are equal. *)
+Ltac join_arctangents whole :=
+  match goal with
+  | |- context [atan ?a] =>
+      match goal with
+      | |- context [atan ?b] =>
+          first
+            [ constr_eq a b; fail 1
+            | replace (atan a) with (atan b) by (f_equal; solve [ whole ]) ]
+      end
+  end.
+
 (* An equality as a whole, or that of all arguments of the functions on both sides. *)
 Ltac by_depth whole :=
   let as_one := first [ reflexivity | solve [ whole ] ] in
   let one := first [ as_one | progress f_equal; as_one ] in
   let two := first [ as_one | progress f_equal; one ] in
   let three := first [ as_one | progress f_equal; two ] in
-  first [ as_one | progress f_equal; three ].
+  first [ as_one | progress f_equal; three | join_arctangents whole; as_one ].
