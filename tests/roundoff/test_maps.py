@@ -150,6 +150,15 @@ def test_equal_steps_of_different_angles_stay_apart() -> None:
     assert merged.outputs == ("u", "u", "u")
 
 
+def test_steps_with_different_errors_stay_apart() -> None:
+    exact, rounded = (
+        Step(name, "divide", ("a", "b"), u) for name, u in (("w", EXACT), ("z", HALF))
+    )
+    steps = (exact, Step("q", "arctan", ("w",), HALF), rounded)
+    shared = share_equal_steps(StraightLineProgram(("a", "b"), steps, ("q", "z")))
+    assert shared.outputs == ("q", "z")
+
+
 def test_a_lost_operation_is_off_by_more() -> None:
     """With a wrong operation for w the entries are wrong, and the measured error shows it."""
     subject = displacement()

@@ -9,7 +9,14 @@ import pytest
 
 from mechproof.roundoff.compensation import find_compensated, take_powers_last
 from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import EXACT, HALF, PRODUCT_REST, Step, StraightLineProgram
+from mechproof.roundoff.steps import (
+    EXACT,
+    HALF,
+    PRODUCT_REST,
+    QUOTIENT_REST,
+    Step,
+    StraightLineProgram,
+)
 
 # 2*a*b as rounded, and its rest, the rounding error.
 DOUBLED = StraightLineProgram(
@@ -65,6 +72,18 @@ def test_a_rounded_factor_without_a_rest_is_refused() -> None:
     ]
     with pytest.raises(ValueError, match="the rounding of its factor sum has no rest"):
         find_compensated(StraightLineProgram(("a", "b", "c"), (first, *wrong), ("q",)))
+    # A rest passes on no rounding of what was divided.
+    whole = Step("whole", "add", ("a", "c"), HALF)
+    divided = Step("sum", "divide", ("whole", "d"), HALF)
+    low = Step("low", QUOTIENT_REST, ("whole", "d", "sum"), EXACT)
+    part = Step("part", "multiply", ("low", "b"), HALF)
+    doubled = Step("both", "multiply", (2, "part"), EXACT)
+    more = Step("all", "add", ("q", "both"), HALF)
+    steps = [whole, divided, low, *wrong, part, doubled, more]
+    with pytest.raises(ValueError, match="the rounding of its factor sum has no rest"):
+        find_compensated(StraightLineProgram(("a", "b", "c", "d"), tuple(steps), ("all",)))
+    steps[0] = replace(whole, ulps=EXACT)
+    assert find_compensated(StraightLineProgram(("a", "b", "c", "d"), tuple(steps), ("all",))).held
     exact = replace(first, ulps=EXACT)
     assert find_compensated(StraightLineProgram(("a", "b", "c"), (exact, *wrong), ("q",))).held
 

@@ -283,7 +283,7 @@ def between(low: Ends, high: Ends) -> Interval:
 def list_spans(boxes: Array, *, has_forms: bool = False, is_bent: bool = False) -> list[Interval]:
     """Return the interval of each side, for many boxes at once, shape (boxes, sides, 2).
 
-    With `has_forms`, sides that are finite in all boxes have linear forms.
+    With `has_forms`, sides that are finite in all boxes have linear forms: bent ones if `is_bent`.
     """
     spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
     finite = [span for span in spans if has_forms and np.all(span.is_finite)]

@@ -13,17 +13,17 @@ from typing import Any
 import numpy as np
 
 Ends = Any
-# More than all roundings of an operation, relative to the sizes of its operands, for a dozen sides;
-# and more than what falls below the normal range.
+# More than all roundings of an operation, relative to the sizes of its operands, for a dozen sides,
+# or eight of bent forms; and more than what falls below the normal range.
 ROUNDED, UNDERFLOWN = 2.0**-46, 2.0**-1000
-# The changes of a quantity that does not change along any side.
+# The changes of a quantity that does not change along any side, and the bends of one without.
 STILL = np.zeros((1, 1))
 
 
 class LinearForm:
     """A middle, the changes from there to the end of each side, and the largest rest.
 
-    A bent form has `bends`, those towards the corner of each two sides, as `list_pairs` lists them.
+    A bent form also has `bends`, one for each pair of sides, as `list_pairs` lists them.
     """
 
     __slots__ = ("bends", "bow", "changes", "middle", "reach", "rest", "size", "swing")

@@ -158,7 +158,7 @@ def _spread(ball: arb, relative: float) -> arb:
 
 def _spread_quotient(quotient: arb, c: arb, a: arb, b: arb, relative: float) -> arb:
     """Widen a quotient by a share of the largest c*t/(a + b*t**2), as its description states it."""
-    largest = float((c / (2 * (a * b).sqrt())).upper()) * float(
+    largest = float((abs(c) / (2 * (a * b).sqrt())).upper()) * float(
         (1 + (b / a).max(a / b).sqrt()).upper()
     )
     return quotient + arb(0, largest * relative) if quotient.is_finite() else arb(0, largest)

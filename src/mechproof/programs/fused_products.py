@@ -1,6 +1,6 @@
 """Fused products: in, a program; out, one that rounds products together with the sums they enter.
 
-Of two products, the first is fused: in the kernels' sums it is the larger one.
+Of two products, the first is fused.
 """
 
 from __future__ import annotations

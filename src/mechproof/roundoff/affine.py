@@ -1,9 +1,9 @@
 """Affine: a map M*p + v of points, and a bound on the norm of its error.
 
 Each rounding of an entry moves the matrix by a multiple of another one (`moved_matrices`), and so
-does each rounding of a sum of products. Fused, a row has the sums of its last products. If the
-order of the sums is unknown, a row has its products, sums of some of them (at most the sum of their
-sizes), the sum of all, and this plus the shift.
+does each rounding of a sum of products. A fused row rounds each sum of the shift and its last
+products. If the order of the sums is unknown, a row of three rounds its products, a sum of two of
+them (at most the sum of all their sizes), the sum of all, and this plus the shift.
 """
 
 from __future__ import annotations

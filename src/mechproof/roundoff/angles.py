@@ -157,7 +157,7 @@ def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
 
 
 def are_right(x: IntervalMonomial) -> Mask:
-    """Return where a point is right of the origin, or is the origin, where it has no angle."""
+    """Return where a point is right of the origin; at the edge of a box x may vanish."""
     is_positive = x.variables.is_positive(x.powers)
     return (x.span if is_positive else x.expanded()).low > 0
 

@@ -32,8 +32,8 @@ from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 from mechproof.tools.json_rows import read_fields, write_lines
 
 # The most boxes, over all regions, that a proof of a bound may use. Boxes with many sides get
-# fewer, as a cut is tried across each side, and so do programs that linear forms bound; maps, whose
-# roundings are the most, get more.
+# fewer, as a cut is tried across each side, and so do programs that linear forms bound; maps, which
+# have the most roundings, get more.
 MOST, MOST_OF_MANY, MANY_SIDES, MOST_WITH_FORMS, MOST_OF_MAPS = 16000, 300, 10, 6000, 20000
 # Where the search for the lowest bound starts and gives up, in eps, and its resolution as a share
 # of the bound.

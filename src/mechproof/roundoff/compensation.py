@@ -18,7 +18,7 @@ same whatever the factor.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -34,6 +34,7 @@ from mechproof.roundoff.steps import (
     PRODUCT_REST,
     QUOTIENT_REST,
     RESTS,
+    SUM_REST,
     Step,
     StraightLineProgram,
 )
@@ -56,16 +57,35 @@ def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
 
 
 def _check_factors(straight: StraightLineProgram, products: Sequence[str]) -> None:
-    """Raise ValueError for a compensated product with a rounded factor that has no rest.
+    """Raise ValueError for a compensated product with a rounded factor whose rest is not added.
 
-    A held product passes no rounding of its factors on.
+    A held product passes no rounding of its factors on, nor does a rest pass on one of its
+    operands.
     """
     made = {step.result: step for step in straight.steps}
-    known = {step.operands[2] for step in straight.steps if step.kind in (*RESTS, "sum_rest")}
+    rests = {step.operands[2]: step for step in straight.steps if step.kind in (*RESTS, SUM_REST)}
+    factors = {frozenset(s.operands) for s in straight.steps if s.kind == "multiply"}
     for name in products:
-        for factor in made[name].operands:
-            if factor in made and made[str(factor)].ulps and factor not in known:
-                raise ValueError(f"{name}: the rounding of its factor {factor} has no rest")
+        one, other = made[name].operands[0], made[name].operands[-1]
+        for factor, partner in ((one, other), (other, one)):
+            for rounded in _list_roundings(factor, made):
+                rest = rests.get(rounded)
+                given = rest.operands[:2] if rest and rounded == factor else (rounded,)
+                is_added = rest and (
+                    rest.kind != SUM_REST or frozenset((rest.result, partner)) in factors
+                )
+                if not is_added or any(_list_roundings(o, made) for o in given):
+                    raise ValueError(f"{name}: the rounding of its factor {factor} has no rest")
+
+
+def _list_roundings(operand: Operand, made: Mapping[str, Step]) -> list[str]:
+    """List the rounded results that an operand is computed from by exact steps, itself included."""
+    step = made.get(str(operand))
+    if step is None:
+        return []
+    if step.ulps:
+        return [step.result]
+    return [rounded for used in step.operands for rounded in _list_roundings(used, made)]
 
 
 def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:

@@ -75,8 +75,8 @@ def _find_errors(subject: ComputedStage, given: Mapping[str, Array]) -> Array:
 
 def _are_inside(subject: ComputedStage, given: Mapping[str, Array]) -> Array:
     with np.errstate(all="ignore"):
-        held: Array = subject.inside.holds(given, IN_DOUBLES)
-    return held
+        inside: Array = subject.inside.holds(given, IN_DOUBLES)
+    return inside
 
 
 def _draw_points(

@@ -102,6 +102,7 @@ def _find_largest(moves: Array, rest: Array, pairs: Array) -> float:
     near, others = order[:CLOSELY], order[CLOSELY:]
     values = moves @ pairs[:, near]
     middle, changes = values[:, 0], values[:, 1:]
+    # Bends count as changes along sides of their own.
     # Where a product keeps its sign, its changes are added to those of others before any absolute
     # value is taken.
     turned = np.maximum(np.abs(changes).sum(axis=1) - np.abs(middle), 0.0).sum(axis=0)

@@ -23,6 +23,7 @@ HALF = 0.5
 EXACT = 0.0
 # What rounding took from a product and from a quotient: exact, or up to one rounding.
 RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
+SUM_REST = "sum_rest"
 # A number that is no double and is rounded once; its operand is the exact number as text, a
 # fraction or the name of a constant.
 CONSTANT = "constant"
@@ -81,7 +82,7 @@ def _call(kind: str, *inputs: str) -> Expansion:
 WAY = "NumPy's functions"
 IN_NUMPY: Mapping[str, Expansion] = MappingProxyType(
     {
-        "tangent_quotient": _write_out("tangent_quotient", *"ycarb"),
+        "tangent_quotient": _write_out("tangent_quotient", "y", "c", "a", "r", "b"),
         "small_arctan": _write_out("small_arctan", "y"),
         "arctan_quotient": _call("arctan2", "a", "b"),
     }

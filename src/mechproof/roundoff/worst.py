@@ -48,7 +48,7 @@ def find_worst(
 ) -> WorstRounding:
     """Draw points from boxes of regions and climb from the worst, repeatedly if that is cheap.
 
-    For a map of points climbs start from badly rounded matrices, too.
+    For a map of points, climbs also start from badly rounded matrices.
     """
     rng = np.random.default_rng(seed)
     # Balls alone take a thousand times as long, so one climb must do.

@@ -182,7 +182,7 @@ def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
 
 
 _COMMUTATIVE = ("add", "multiply")
-Key = tuple[str, Operand, tuple[str, ...]]
+Key = tuple[str, float, str, Operand, tuple[str, ...]]
 
 
 def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
@@ -193,7 +193,7 @@ def share_equal_steps(straight: StraightLineProgram) -> StraightLineProgram:
     for step in straight.steps:
         operands = tuple(names.get(o, o) if isinstance(o, str) else o for o in step.operands)
         key = _name(step, operands)
-        if key in known:
+        if key in known and not {known[key], step.result} & {*straight.held}:
             names[step.result] = known[key]
         else:
             known[key] = step.result
@@ -207,4 +207,4 @@ def _name(step: Step, operands: tuple[Operand, ...]) -> Key:
     texts = tuple(o if isinstance(o, str) else float(o).hex() for o in operands)
     ordered = tuple(sorted(texts)) if step.kind in _COMMUTATIVE else texts
     # Parts of different angles that are both modelled as 1 have different unknown factors.
-    return step.kind, step.scaled, ordered
+    return step.kind, step.ulps, step.proved, step.scaled, ordered

@@ -57,7 +57,8 @@ def low_word(evaluation: Evaluation) -> Evaluation:
 def low_sum(evaluation: Evaluation) -> Evaluation:
     """Rewrite (c + a)*b -> (b*c + x_low) + x for a step x = a*b with a low word.
 
-    Neither the rounding of a nor that of x counts then. Always legal: x + x_low is the product.
+    The rounding of x does not count then, nor that of a if the low word has its rest. Always legal:
+    x + x_low is the product.
     """
     steps: list[Step] = []
     words = {
@@ -230,7 +231,7 @@ def small_arc(evaluation: Evaluation) -> Evaluation:
             c, (a, none, b) = above / t, (below.coeff(t, power) for power in range(3))
             if not none and not c.has(t) and sp.expand(a + b * t**2 - below) == 0:
                 legal.extend([a > 0, b > 0, sp.Le(c**2, 4 * a * b / 3)])
-                number, term = values.get(a, a).as_coeff_Add()
+                number, term = values.get(a, sp.S.Zero).as_coeff_Add()
                 rest: sp.Expr = sp.S.Zero
                 if number and term:
                     legal.append(sp.Le(sp.Abs(term), abs(number)))
