@@ -157,20 +157,20 @@ def test_a_series_without_its_error_is_caught(name: str, monkeypatch: pytest.Mon
 def test_a_product_without_what_bends_it_is_caught(
     kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(LinearForm, "_bend", lambda self, other: (0.0, 0.0))
+    monkeypatch.setattr(LinearForm, "_enclose_product", lambda self, other: (0.0, 0.0))
     assert miss_operation(kind) > 0
 
 
 def test_a_way_along_a_side_that_is_taken_off_whole_is_caught(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    bend = LinearForm._bend
+    enclose = LinearForm._enclose_product
 
     def take_off(one: LinearForm, other: LinearForm) -> tuple[Any, Any]:
-        shift, bent = bend(one, other)
+        shift, bent = enclose(one, other)
         return shift, bent - np.abs(one.changes * other.changes / 2).sum(axis=0)
 
-    monkeypatch.setattr(LinearForm, "_bend", take_off)
+    monkeypatch.setattr(LinearForm, "_enclose_product", take_off)
     assert miss_operation("square of a sum") > 0
 
 

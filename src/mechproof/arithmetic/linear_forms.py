@@ -4,6 +4,9 @@ Within a box a quantity is a number, plus a multiple of the distance from the mi
 plus a rest. In sums and products the multiples for each side add up before any modulus is taken, so
 that a variable in several terms counts only once: the rest is of second order in the sides. This is
 affine arithmetic (de Figueiredo and Stolfi 2004), with all roundings in the rest.
+
+A bent form also has multiples of the products of two such distances, which add up in the same way,
+so that its rest is of third order: a Taylor model of degree 2 (Makino and Berz 2003).
 """
 
 from __future__ import annotations
@@ -43,8 +46,7 @@ class LinearForm:
         return self.bends is not STILL
 
     def __neg__(self) -> LinearForm:
-        bends = -self.bends if self.is_bent else STILL
-        return LinearForm(-self.middle, -self.changes, self.rest, bends)
+        return LinearForm(-self.middle, -self.changes, self.rest, _scale(self.bends, -1))
 
     def __add__(self, other: LinearForm) -> LinearForm:
         rest = self.rest + other.rest + ROUNDED * (self.size + other.size)
@@ -64,17 +66,18 @@ class LinearForm:
             bends = two * self.bends + one * other.bends + self._cross(other)
             rest = rest + self.swing * other.bow + self.bow * (other.swing + other.bow)
             return LinearForm(one * two, changes, rest, bends)
-        shift, bent = self._bend(other)
+        shift, bent = self._enclose_product(other)
         return LinearForm(one * two + shift, changes, rest + bent)
 
     def _cross(self, other: LinearForm) -> Ends:
         """Return the bends of the product of both changes."""
         first, second = list_pairs(len(self.changes))
         a, b = self.changes, other.changes
-        both = a[first] * b[second]
-        return np.where(_are_equal(first, second, both), both, both + a[second] * b[first])
+        both: Ends = a[first] * b[second] + a[second] * b[first]
+        both[first == second] /= 2
+        return both
 
-    def _bend(self, other: LinearForm) -> tuple[Ends, Ends]:
+    def _enclose_product(self, other: LinearForm) -> tuple[Ends, Ends]:
         """Return the middle of the product of both changes, and how far it may be from there."""
         # The square of the position along one side, which is from -1 to 1, is from 0 to 1.
         half = self.changes * other.changes / 2
@@ -103,10 +106,6 @@ class LinearForm:
 
 def _scale(bends: Ends, factor: Ends) -> Ends:
     return bends if bends is STILL else factor * bends
-
-
-def _are_equal(first: Ends, second: Ends, shaped: Ends) -> Ends:
-    return np.reshape(first == second, (-1, *[1] * (np.ndim(shaped) - 1)))
 
 
 def list_pairs(sides: int) -> tuple[Ends, Ends]:

@@ -55,7 +55,7 @@ _RELATION = re.compile(
 _NO_SIZE = (tree.Approach, tree.Derivation, tree.Extremum, tree.Table)
 _Find = Callable[[str], Mapping[str, str]]
 # Words within a display.
-_WORDS = re.compile(r"\\(?:text[a-z]*|[mh]box|emph|intertext|mathrm|operatorname\*?)\s*\{[^{}]*\}")
+_WORDS = re.compile(rf"(?:{OPENS_WORDS}|\\(?:text[a-z]*|intertext)\s*\{{)[^{{}}]*\}}")
 
 
 def refuse_units(read: Print) -> None:

@@ -46,9 +46,8 @@ class SmallTangent(sp.Function):  # type: ignore[misc]
 class TangentQuotient(sp.Function):  # type: ignore[misc]
     """TangentQuotient(y, c, a, r, b) = c*t/(a + r + b*t**2), t = tan(y); without tan if faster.
 
-    For a, b > 0; r is the rest of a. Off by a few eps of its largest value, and of
-    itself where it is near 0 along with y; its other zeros, at multiples of pi/2, are as far off
-    as y.
+    For a, b > 0; r is the rest of a. Off by a few eps of its largest value, and of itself where it
+    is near 0 along with y; its other zeros, at multiples of pi/2, are as far off as y.
     """
 
     nargs = 5

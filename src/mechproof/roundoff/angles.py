@@ -163,7 +163,10 @@ def are_right(x: IntervalMonomial) -> Mask:
 
 
 def take_angle(y: IntervalMonomial, x: IntervalMonomial) -> IntervalMonomial:
-    """Return the angle of a point; not finite where it may be half a turn or undefined."""
+    """Return the angle of a point; not finite where it may be half a turn.
+
+    Nor where both sides may vanish, unless a factor of both does.
+    """
     above, right = y.expanded(), are_right(x)
     up, down = (above.low > 0) & ~right, (above.high < 0) & ~right
     choice = x.variables.choose(right, up, down, ~(right | up | down))
